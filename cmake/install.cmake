@@ -21,7 +21,7 @@ endforeach()
 install(TARGETS matc_render_shared EXPORT matc-render INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(EXPORT matc-render NAMESPACE matc:: DESTINATION ${package})
-install(FILES runtime/render/matc_render.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(FILES runtime/renderer/matc_render.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 # What lights a Surface that the unpacking text gives: docs/reference/layouts.md
 install(FILES runtime/surface/surface_phong.glsl runtime/surface/surface_facets.glsl runtime/surface/surface_principled.glsl runtime/surface/surface_principled_light.glsl
   runtime/surface/surface_anisotropic.glsl runtime/surface/surface_through.glsl

@@ -1,9 +1,9 @@
 # libmatc_render.so: the renderer, with all of libmatc in it, of which only what matc.h and matc_render.h declare can be seen. Shared alone: a
 # static one would hand assimp and glslang on to its host.
-configure_file(runtime/render/matc_render.h ${MATC_PUBLIC}/matc_render.h COPYONLY)
+configure_file(runtime/renderer/matc_render.h ${MATC_PUBLIC}/matc_render.h COPYONLY)
 set_target_properties(matc_gl matc_texts matc_scene matc_render PROPERTIES POSITION_INDEPENDENT_CODE ON C_VISIBILITY_PRESET hidden)
 target_include_directories(matc_render PRIVATE ${MATC_PUBLIC})
-add_library(matc_render_shared SHARED runtime/render/matc_render.c runtime/render/matc_scene.c $<TARGET_OBJECTS:matc_objects>)
+add_library(matc_render_shared SHARED runtime/renderer/matc_render.c runtime/renderer/matc_scene.c $<TARGET_OBJECTS:matc_objects>)
 set_target_properties(matc_render_shared PROPERTIES OUTPUT_NAME matc_render EXPORT_NAME render LINKER_LANGUAGE C
   C_VISIBILITY_PRESET hidden VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}
   LINK_DEPENDS ${PROJECT_SOURCE_DIR}/cmake/matc.map)

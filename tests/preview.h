@@ -117,7 +117,7 @@ static inline Drawn draw_subject(const Subject *subject, int width, int height)
     p.options.normals = subject->normals;
     p.document = matc_read("preview.yaml", text, strlen(text), &p.options);
     const MaterialPictureOptions options = {
-        .pictures = {.render = {.compile = &p.options, .samples = 1}},
+        .pictures = {.renderer = {.compile = &p.options, .samples = 1}},
         .preview = {.shape = SHAPE_sphere,
                     .width = width,
                     .height = height,

@@ -16,7 +16,7 @@ static char *read_file(const char *path, size_t *size)
     return text;
 }
 
-static MatcRenderProc load(void *user, const char *name)
+static MatcRendererProc load(void *user, const char *name)
 {
     (void)user;
     return OSMesaGetProcAddress(name);
@@ -37,12 +37,13 @@ static OSMesaContext open_context(void)
 }
 
 /* Rows of PPM go from the top down. */
-static int draw(MatcRender *render, const char *path)
+static int draw(MatcRenderer *render, const char *path)
 {
-    const int width = matc_render_width(render), height = matc_render_height(render);
+    const int width = matc_renderer_width(render), height = matc_renderer_height(render);
     float *rgba = malloc((size_t)width * (size_t)height * 4 * sizeof *rgba);
     FILE *file = fopen(path, "wb");
-    const int done = rgba && file && matc_render_frame(render) && matc_render_read(render, rgba);
+    const int done =
+        rgba && file && matc_renderer_frame(render) && matc_renderer_read(render, rgba);
     if (done)
         fprintf(file, "P6 %d %d 255\n", width, height);
     for (int y = height - 1; done && y >= 0; y--)
@@ -55,13 +56,14 @@ static int draw(MatcRender *render, const char *path)
 }
 
 /* Its matrix is by columns: the last one is where it stands. */
-static int change(MatcRender *render, const MatcScene *scene)
+static int change(MatcRenderer *render, const MatcScene *scene)
 {
     static const float green[3] = {0.1f, 0.6f, 0.2f};
     double matrix[16];
     matc_scene_matrix(scene, 1, matrix);
     matrix[12] += 2;
-    return matc_render_move(render, 1, matrix) && matc_render_param(render, 1, "paint", green, 3);
+    return matc_renderer_set_object(render, 1, matrix) &&
+           matc_renderer_set_param(render, 1, "paint", green, 3);
 }
 
 int main(int count, char **arguments)
@@ -73,17 +75,18 @@ int main(int count, char **arguments)
         return fputs("host SCENE BEFORE.ppm AFTER.ppm, with OSMesa's OpenGL 4.5\n", stderr), 2;
     char *text = read_file(arguments[1], &size);
     MatcScene *scene = matc_scene_read(arguments[1], text, size, NULL, &document);
-    MatcRender *render =
-        scene ? matc_render_open(
-                    &(MatcRenderOptions){.size = sizeof(MatcRenderOptions), .load = load}, error,
-                    sizeof error)
+    MatcRenderer *render =
+        scene ? matc_renderer_open(
+                    &(MatcRendererOptions){.size = sizeof(MatcRendererOptions), .load = load},
+                    error, sizeof error)
               : NULL;
-    const int done = render && matc_render_scene(render, scene) && draw(render, arguments[2]) &&
-                     change(render, scene) && draw(render, arguments[3]);
+    const int done = render && matc_renderer_set_scene(render, scene) &&
+                     draw(render, arguments[2]) && change(render, scene) &&
+                     draw(render, arguments[3]);
     if (!done)
         fprintf(stderr, "%s%s%s\n", matc_diagnostics(document, MATC_TEXT), error,
-                render ? matc_render_error(render) : "");
-    matc_render_close(render);
+                render ? matc_renderer_error(render) : "");
+    matc_renderer_close(render);
     matc_scene_free(scene);
     matc_document_free(document);
     free(text);

@@ -12,19 +12,19 @@ typedef struct {
     GLuint corners, firsts; /* buffers: triangles; number of each object's first triangle, from 1 */
 } ExactShadows;
 
-static inline ExactShadows *exact_state(const Render *render)
+static inline ExactShadows *exact_state(const Renderer *renderer)
 {
-    return shadow_method_state(render, WORD_Shadows_exact);
+    return shadow_method_state(renderer, WORD_Shadows_exact);
 }
 /* Return whether some light has exact shadows, and the view shows lighting; and additionally,
  * whether some object has triangles for exact shadows. */
-bool pass_exact_wanted(const Render *render);
-bool pass_exact_needed(const Render *render);
+bool pass_exact_wanted(const Renderer *renderer);
+bool pass_exact_needed(const Renderer *renderer);
 /* Functions of the row. pass_exact_list() makes the lists; the GPU may still be working on them
  * when it returns. */
-bool pass_exact_make(Render *render);
-bool pass_exact_change(Render *render, unsigned what);
-bool pass_exact_move(Render *render, int first, int count);
-bool pass_exact_list(Render *render);
-void pass_exact_delete(Render *render);
+bool pass_exact_make(Renderer *renderer);
+bool pass_exact_change(Renderer *renderer, unsigned what);
+bool pass_exact_move(Renderer *renderer, int first, int count);
+bool pass_exact_list(Renderer *renderer);
+void pass_exact_delete(Renderer *renderer);
 #endif

@@ -2,7 +2,7 @@
 #include "gen/render_text.h"
 #include "compiler/base/session.h"
 #include "runtime/exact/exact.h"
-#include "runtime/frame/frame.h"
+#include "runtime/frame_graph/frame.h"
 #include "runtime/shadow/shadow_method.h"
 #include <stdio.h>
 
@@ -12,21 +12,21 @@ enum {
     LISTS_BINDING
 }; /* bindings of exact_number.glsl and exact.glsl */
 
-static void seen_bind(const Render *render)
+static void seen_bind(const Renderer *renderer)
 {
-    if (exact_state(render)->corners)
-        render->gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, FIRSTS_BINDING,
-                                   exact_state(render)->firsts);
+    if (exact_state(renderer)->corners)
+        renderer->gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, FIRSTS_BINDING,
+                                     exact_state(renderer)->firsts);
 }
 
 /* Deletes the programs, which outlive a scene. */
-static void close_cover(Render *render) { exact_cover_close(&exact_state(render)->cover); }
+static void close_cover(Renderer *renderer) { exact_cover_close(&exact_state(renderer)->cover); }
 
 /* -- for lighting */
 
-static void write_text(const Render *render, bool nearest, ShadowMethodText *made)
+static void write_text(const Renderer *renderer, bool nearest, ShadowMethodText *made)
 {
-    if (!pass_exact_needed(render))
+    if (!pass_exact_needed(renderer))
         return;
     snprintf(made->defined, sizeof made->defined, "%s", nearest ? "#define EXACT_SEEN\n" : "");
     made->texts[0] = render_text_exact;
@@ -35,25 +35,25 @@ static void write_text(const Render *render, bool nearest, ShadowMethodText *mad
     made->calls[SHADOW_CALL_pixel] = nearest ? "exactAtPixel" : NULL;
 }
 
-static void set(const Render *render, ScreenPass *pass)
+static void set(const Renderer *renderer, ScreenPass *pass)
 {
     static const char *const names[4] = {"exact_right", "exact_up", "exact_back", "exact_eye"};
-    const SceneCamera *camera = &render->scene->camera;
+    const SceneCamera *camera = &renderer->scene->camera;
     const double *const axes[3] = {camera->right, camera->up, camera->back};
     for (int i = 0; i < 4; i++) {
-        float lanes[4] = {0, 0, 0, i == 3 ? (float)exact_state(render)->triangles.reach : 0};
+        float lanes[4] = {0, 0, 0, i == 3 ? (float)exact_state(renderer)->triangles.reach : 0};
         for (int k = 0; k < 3; k++)
             lanes[k] =
                 (float)(i < 3 ? axes[i][k]
-                              : camera->position[k] - exact_state(render)->triangles.origin[k]);
+                              : camera->position[k] - exact_state(renderer)->triangles.origin[k]);
         material_set(&pass->material, &(MaterialValue){names[i], 4, lanes});
     }
 }
 
-static void bind(const Render *render, int unit)
+static void bind(const Renderer *renderer, int unit)
 {
-    const GlContext *gl = render->gl;
-    const ExactShadows *exact = exact_state(render);
+    const GlContext *gl = renderer->gl;
+    const ExactShadows *exact = exact_state(renderer);
     (void)unit;
     if (!exact->corners)
         return;
@@ -63,10 +63,10 @@ static void bind(const Render *render, int unit)
 
 /* -- for --stats */
 
-static void put(Text *out, const Render *render)
+static void put(Text *out, const Renderer *renderer)
 {
-    const ExactShadows *exact = exact_state(render);
-    const int varying = shadow_views_varying(&render->gpu_scene);
+    const ExactShadows *exact = exact_state(renderer);
+    const int varying = shadow_views_varying(&renderer->gpu_scene);
     if (!exact->corners)
         return;
     text_format(out, "exact     %d triangles, %lu bytes\n", exact->triangles.count,
@@ -81,13 +81,13 @@ static void put(Text *out, const Render *render)
 }
 
 /* Times making the lists once more, as after a light has moved. */
-static void put_time(Text *out, Render *render)
+static void put_time(Text *out, Renderer *renderer)
 {
-    if (!exact_state(render)->corners)
+    if (!exact_state(renderer)->corners)
         return;
     const double start = session_now();
-    const bool made = pass_exact_list(render);
-    render->gl->Finish();
+    const bool made = pass_exact_list(renderer);
+    renderer->gl->Finish();
     text_put(out, "\nlists for exact shadows are made in ");
     text_rounded(out, 1e3 * (made ? session_now() - start : 0), 3);
     text_put(out, " milliseconds\n");

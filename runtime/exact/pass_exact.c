@@ -1,8 +1,8 @@
 /* Inputs of exact shadows, made once for a scene: the triangles of all shadow casters, and the
  * lists of exact_cover.h. exact.glsl reads them. */
 #include "gen/render_text.h"
-#include "runtime/frame/frame.h"
-#include "runtime/frame/transparency_draw.h"
+#include "runtime/frame_graph/frame.h"
+#include "runtime/frame_graph/transparency_draw.h"
 #include "runtime/exact/exact.h"
 #include <stdlib.h>
 #include <string.h>
@@ -15,18 +15,18 @@ static size_t corner_bytes(int count) { return (size_t)count * sizeof(ExactCorne
 
 /* Writes the corners of objects range[0] to range[1] - 1 to the buffer, which is allocated if
  * they are all. */
-static bool write_corners(Render *render, const int range[2])
+static bool write_corners(Renderer *renderer, const int range[2])
 {
-    const GlContext *gl = render->gl;
-    ExactShadows *exact = exact_state(render);
+    const GlContext *gl = renderer->gl;
+    ExactShadows *exact = exact_state(renderer);
     const ExactTriangles *triangles = &exact->triangles;
     const ExactObject *first = &triangles->objects[range[0]],
                       *last = &triangles->objects[range[1] - 1];
     const int count = last->first + last->count - first->first;
     ExactCorners *corners = malloc(corner_bytes(count) + 1);
     if (!corners ||
-        !exact_triangles_corners(render->scene, &render->gpu_scene, triangles, range, corners))
-        return free(corners), gl_fail(render->gl, "out of memory");
+        !exact_triangles_corners(renderer->scene, &renderer->gpu_scene, triangles, range, corners))
+        return free(corners), gl_fail(renderer->gl, "out of memory");
     gl->BindBuffer(GL_ARRAY_BUFFER, exact->corners);
     if (count == triangles->count)
         gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)corner_bytes(count), corners, GL_DYNAMIC_DRAW);
@@ -35,108 +35,109 @@ static bool write_corners(Render *render, const int range[2])
                           (GLsizeiptr)corner_bytes(count), corners);
     gl->BindBuffer(GL_ARRAY_BUFFER, 0);
     free(corners);
-    return gl_check(render->gl, "making room for exact shadows");
+    return gl_check(renderer->gl, "making room for exact shadows");
 }
 
-static bool measure(Render *render)
+static bool measure(Renderer *renderer)
 {
-    const size_t most = transparency_most_bytes(render);
-    ExactTriangles *triangles = &exact_state(render)->triangles;
+    const size_t most = transparency_most_bytes(renderer);
+    ExactTriangles *triangles = &exact_state(renderer)->triangles;
     exact_triangles_free(triangles);
-    if (!exact_triangles_make(render->scene, &render->gpu_scene, triangles))
-        return gl_fail(render->gl, "out of memory");
+    if (!exact_triangles_make(renderer->scene, &renderer->gpu_scene, triangles))
+        return gl_fail(renderer->gl, "out of memory");
     return corner_bytes(triangles->count) <= most ||
-           gl_fail(render->gl, "shadows: exact takes %lu bytes in a buffer, and there may be %lu",
+           gl_fail(renderer->gl, "shadows: exact takes %lu bytes in a buffer, and there may be %lu",
                    (unsigned long)corner_bytes(triangles->count), (unsigned long)most);
 }
 
 /* Writes the number of each object's first triangle, by the GPU scene's places. Without instancing,
  * the place is a uniform. */
-static bool write_firsts(Render *render)
+static bool write_firsts(Renderer *renderer)
 {
-    const GlContext *gl = render->gl;
-    const ExactTriangles *triangles = &exact_state(render)->triangles;
+    const GlContext *gl = renderer->gl;
+    const ExactTriangles *triangles = &exact_state(renderer)->triangles;
     const size_t bytes = (size_t)triangles->opaque_count * sizeof(GLuint);
     GLuint *firsts = malloc(bytes + 1);
     if (!firsts)
-        return gl_fail(render->gl, "out of memory");
+        return gl_fail(renderer->gl, "out of memory");
     for (int i = 0; i < triangles->opaque_count; i++) {
         firsts[i] = (GLuint)triangles->objects[i].first + 1;
-        if (!render->gpu_scene.instances)
-            material_set_number(&render->gpu_scene.kinds[render->gpu_scene.places[i].kind].material,
-                                "seen_place", (float)i);
+        if (!renderer->gpu_scene.instances)
+            material_set_number(
+                &renderer->gpu_scene.kinds[renderer->gpu_scene.places[i].kind].material,
+                "seen_place", (float)i);
     }
-    gl->BindBuffer(GL_ARRAY_BUFFER, exact_state(render)->firsts);
+    gl->BindBuffer(GL_ARRAY_BUFFER, exact_state(renderer)->firsts);
     gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)bytes, firsts, GL_DYNAMIC_DRAW);
     gl->BindBuffer(GL_ARRAY_BUFFER, 0);
     free(firsts);
     return true;
 }
 
-static bool write_triangles(Render *render)
+static bool write_triangles(Renderer *renderer)
 {
-    return measure(render) && write_firsts(render) &&
-           write_corners(render, (int[]){0, exact_state(render)->triangles.object_count});
+    return measure(renderer) && write_firsts(renderer) &&
+           write_corners(renderer, (int[]){0, exact_state(renderer)->triangles.object_count});
 }
 
-bool pass_exact_list(Render *render)
+bool pass_exact_list(Renderer *renderer)
 {
-    ExactShadows *exact = exact_state(render);
-    return exact_cover_make(&exact->cover, render->scene, &exact->triangles, exact->corners);
+    ExactShadows *exact = exact_state(renderer);
+    return exact_cover_make(&exact->cover, renderer->scene, &exact->triangles, exact->corners);
 }
 
 /* -- creation and changes */
 
-bool pass_exact_wanted(const Render *render)
+bool pass_exact_wanted(const Renderer *renderer)
 {
-    return shadow_method_lights(render, WORD_Shadows_exact) > 0 && shadow_shows_light(render);
+    return shadow_method_lights(renderer, WORD_Shadows_exact) > 0 && shadow_shows_light(renderer);
 }
 
-bool pass_exact_needed(const Render *render)
+bool pass_exact_needed(const Renderer *renderer)
 {
     bool casts = false;
-    for (int i = 0; !casts && i < render->gpu_scene.place_count; i++)
-        casts = exact_triangles_have(&render->gpu_scene.places[i]);
-    return casts && pass_exact_wanted(render);
+    for (int i = 0; !casts && i < renderer->gpu_scene.place_count; i++)
+        casts = exact_triangles_have(&renderer->gpu_scene.places[i]);
+    return casts && pass_exact_wanted(renderer);
 }
 
 /* Compiles the programs unless an earlier scene has left them. */
-static bool open_cover(Render *render)
+static bool open_cover(Renderer *renderer)
 {
-    const size_t most = transparency_most_bytes(render) / sizeof(GLuint);
-    return exact_state(render)->cover.cover.store ||
-           exact_cover_open(render->store, most, &exact_state(render)->cover);
+    const size_t most = transparency_most_bytes(renderer) / sizeof(GLuint);
+    return exact_state(renderer)->cover.cover.store ||
+           exact_cover_open(renderer->store, most, &exact_state(renderer)->cover);
 }
 
-bool pass_exact_make(Render *render)
+bool pass_exact_make(Renderer *renderer)
 {
-    GlContext *gl = render->gl;
-    ExactShadows *exact = exact_state(render);
-    if (!pass_exact_needed(render))
+    GlContext *gl = renderer->gl;
+    ExactShadows *exact = exact_state(renderer);
+    if (!pass_exact_needed(renderer))
         return true;
     if (!transparency_has_lists(gl))
         return gl_fail(gl, "shadows: exact takes OpenGL 4.3, and the driver has %d.%d", gl->major,
                        gl->minor);
-    if (!shadow_seen_fits(render))
+    if (!shadow_seen_fits(renderer))
         return gl_fail(
             gl,
             "shadows: exact takes one more target than the layout has, and the driver has no more");
     gl->GenBuffers(1, &exact->corners);
     gl->GenBuffers(1, &exact->firsts);
-    return write_triangles(render) && open_cover(render) && pass_exact_list(render) &&
+    return write_triangles(renderer) && open_cover(renderer) && pass_exact_list(renderer) &&
            gl_check(gl, "making exact shadows");
 }
 
-bool pass_exact_change(Render *render, unsigned what)
+bool pass_exact_change(Renderer *renderer, unsigned what)
 {
-    const bool there = exact_state(render)->corners, needed = pass_exact_needed(render),
-               lights = what & RENDER_LIGHTS;
-    if (!there && lights && needed && frame_has(render, FRAME_TARGET_light))
-        return gl_fail(render->gl,
+    const bool there = exact_state(renderer)->corners, needed = pass_exact_needed(renderer),
+               lights = what & RENDERER_LIGHTS;
+    if (!there && lights && needed && frame_has(renderer, FRAME_TARGET_light))
+        return gl_fail(renderer->gl,
                        "shadows are exact where none were otherwise: this is another scene");
     if (there && !needed)
-        return gl_fail(render->gl, "no shadows are exact where some were: this is another scene");
-    return !there || !lights || pass_exact_list(render);
+        return gl_fail(renderer->gl, "no shadows are exact where some were: this is another scene");
+    return !there || !lights || pass_exact_list(renderer);
 }
 
 /* Finds the range of the triangles' objects that moved: first, and last plus one. None moved:
@@ -154,47 +155,47 @@ static void find_range(const ExactTriangles *triangles, const int objects[2], in
 }
 
 /* Returns true if the GPU scene's order has changed, as when an object becomes mirrored. */
-static bool is_reordered(const Render *render)
+static bool is_reordered(const Renderer *renderer)
 {
     bool is = false;
-    for (int i = 0, next = 0; i < render->gpu_scene.place_count; i++)
-        if (exact_triangles_have(&render->gpu_scene.places[i]))
-            is |= exact_state(render)->triangles.objects[next++].object !=
-                  render->gpu_scene.places[i].object;
+    for (int i = 0, next = 0; i < renderer->gpu_scene.place_count; i++)
+        if (exact_triangles_have(&renderer->gpu_scene.places[i]))
+            is |= exact_state(renderer)->triangles.objects[next++].object !=
+                  renderer->gpu_scene.places[i].object;
     return is;
 }
 
 /* Updates the corners of moved objects, or of all objects if the origin changes. */
-static bool move(Render *render, int range[2])
+static bool move(Renderer *renderer, int range[2])
 {
     double before[3];
-    ExactTriangles *triangles = &exact_state(render)->triangles;
+    ExactTriangles *triangles = &exact_state(renderer)->triangles;
     memcpy(before, triangles->origin, sizeof before);
-    if (!exact_triangles_move(render->scene, &render->gpu_scene, range, triangles))
-        return gl_fail(render->gl, "out of memory");
+    if (!exact_triangles_move(renderer->scene, &renderer->gpu_scene, range, triangles))
+        return gl_fail(renderer->gl, "out of memory");
     if (memcmp(before, triangles->origin, sizeof before) != 0)
         range[0] = 0, range[1] = triangles->object_count;
-    return write_corners(render, range);
+    return write_corners(renderer, range);
 }
 
-bool pass_exact_move(Render *render, int first, int count)
+bool pass_exact_move(Renderer *renderer, int first, int count)
 {
     int range[2];
-    if (!exact_state(render)->corners)
+    if (!exact_state(renderer)->corners)
         return true;
-    find_range(&exact_state(render)->triangles, (int[]){first, first + count}, range);
-    const bool again = is_reordered(render);
+    find_range(&exact_state(renderer)->triangles, (int[]){first, first + count}, range);
+    const bool again = is_reordered(renderer);
     if (!again && range[0] >= range[1])
         return true;
-    if (!(again ? write_triangles(render) : move(render, range)))
+    if (!(again ? write_triangles(renderer) : move(renderer, range)))
         return false;
-    return pass_exact_list(render);
+    return pass_exact_list(renderer);
 }
 
-void pass_exact_delete(Render *render)
+void pass_exact_delete(Renderer *renderer)
 {
-    const GlContext *gl = render->gl;
-    ExactShadows *exact = exact_state(render);
+    const GlContext *gl = renderer->gl;
+    ExactShadows *exact = exact_state(renderer);
     gl->DeleteBuffers(1, &exact->corners); /* GL ignores the name 0 */
     gl->DeleteBuffers(1, &exact->firsts);
     exact_cover_empty(&exact->cover);

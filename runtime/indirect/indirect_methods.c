@@ -1,7 +1,7 @@
 /* The list of methods of indirect light, the choice among them, and the method's description for
  * --stats. */
 #include "runtime/indirect/indirect_methods.h"
-#include "runtime/frame/transparency_draw.h"
+#include "runtime/frame_graph/transparency_draw.h"
 #include "runtime/indirect/rays/pass_rays.h"
 
 extern const IndirectMethod indirect_hybrid, indirect_voxels, indirect_screen, indirect_march,
@@ -23,35 +23,36 @@ static bool has_objects(const Scene *scene)
     return i < scene->object_count;
 }
 
-static bool is_possible(const Render *render, const IndirectMethod *method)
+static bool is_possible(const Renderer *renderer, const IndirectMethod *method)
 {
     return !(method->reads & INDIRECT_READS_voxels) ||
-           (transparency_has_lists(render->gl) && has_objects(render->scene));
+           (transparency_has_lists(renderer->gl) && has_objects(renderer->scene));
 }
 
-void indirect_methods_select(Render *render)
+void indirect_methods_select(Renderer *renderer)
 {
-    const Word word = render->scene->indirect.method;
+    const Word word = renderer->scene->indirect.method;
     const IndirectMethod *found = NULL;
     for (int i = 0; i < METHODS && !found; i++)
-        if (word == WORD_Indirect_auto ? methods[i]->automatic && is_possible(render, methods[i])
+        if (word == WORD_Indirect_auto ? methods[i]->automatic && is_possible(renderer, methods[i])
                                        : methods[i]->word == word)
             found = methods[i];
-    render->indirect->method = found;
+    renderer->indirect->method = found;
 }
 
-void indirect_methods_put(Text *out, const Render *render)
+void indirect_methods_put(Text *out, const Renderer *renderer)
 {
-    const IndirectMethod *method = indirect_method(render);
-    const int planes = indirect_planes_count(render), opaque = render->gpu_scene.opaque_plane_count;
+    const IndirectMethod *method = indirect_method(renderer);
+    const int planes = indirect_planes_count(renderer),
+              opaque = renderer->gpu_scene.opaque_plane_count;
     text_format(out, "indirect  by the method %s", word_table[method->word].name);
-    if (render->scene->indirect.method == WORD_Indirect_auto)
+    if (renderer->scene->indirect.method == WORD_Indirect_auto)
         text_format(out, ", as %s",
-                    method->reads & INDIRECT_READS_voxels ? "the scene has objects"
-                    : transparency_has_lists(render->gl)  ? "the scene has no objects for voxels"
-                                                          : "voxels take OpenGL 4.3");
+                    method->reads & INDIRECT_READS_voxels  ? "the scene has objects"
+                    : transparency_has_lists(renderer->gl) ? "the scene has no objects for voxels"
+                                                           : "voxels take OpenGL 4.3");
     text_put(out, "\n");
-    if (indirect_is_directional(render))
+    if (indirect_is_directional(renderer))
         text_put(out, "indirect  light from all around comes by direction\n");
     if (planes)
         text_format(out, "indirect  rays meet %d of %d infinite planes, which are not in voxels\n",

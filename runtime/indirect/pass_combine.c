@@ -5,38 +5,38 @@
 #include "runtime/indirect/indirect_methods.h"
 #include "runtime/light/lighting.h"
 
-static bool pass_combine_needed(const Render *render) { return indirect_is(render); }
+static bool pass_combine_needed(const Renderer *renderer) { return indirect_is(renderer); }
 
-static bool pass_combine_make(Render *render)
+static bool pass_combine_make(Renderer *renderer)
 {
-    const SceneIndirect *in = &render->scene->indirect;
+    const SceneIndirect *in = &renderer->scene->indirect;
     const LightingText text = {
         .body = {in->dims_direct ? "#define INDIRECT_DIMS\n" : "", render_text_pass_combine},
         .over = true,
         .of = LIGHTING_around};
-    if (!lighting_make(render, &text, &render->indirect->combine))
+    if (!lighting_make(renderer, &text, &renderer->indirect->combine))
         return false;
-    material_set_number(&render->indirect->combine.material, "indirect_gain", (float)in->gain);
-    screen_pass_sampler(&render->indirect->combine, "indirect_open", LIGHTING_FREE_UNIT);
+    material_set_number(&renderer->indirect->combine.material, "indirect_gain", (float)in->gain);
+    screen_pass_sampler(&renderer->indirect->combine, "indirect_open", LIGHTING_FREE_UNIT);
     return true;
 }
 
-static void pass_combine_place(Render *render)
+static void pass_combine_place(Renderer *renderer)
 {
-    lighting_place(render, &render->indirect->combine);
+    lighting_place(renderer, &renderer->indirect->combine);
 }
 
-static void pass_combine_draw(Render *render)
+static void pass_combine_draw(Renderer *renderer)
 {
-    lighting_bind(render, FRAME_TARGET_gbuffer, FRAME_TARGET_depth);
-    texture_bind(render->gl, frame_texture(render, FRAME_TARGET_open, 0), LIGHTING_FREE_UNIT);
-    screen_pass_run(&render->indirect->combine, &render->targets.draws[FRAME_DRAW_light],
-                    &render->screen);
+    lighting_bind(renderer, FRAME_TARGET_gbuffer, FRAME_TARGET_depth);
+    texture_bind(renderer->gl, frame_texture(renderer, FRAME_TARGET_open, 0), LIGHTING_FREE_UNIT);
+    screen_pass_run(&renderer->indirect->combine, &renderer->targets.draws[FRAME_DRAW_light],
+                    &renderer->screen);
 }
 
-static bool pass_combine_changed(Render *render, unsigned what)
+static bool pass_combine_changed(Renderer *renderer, unsigned what)
 {
-    return lighting_changed(render, what, &render->indirect->combine);
+    return lighting_changed(renderer, what, &renderer->indirect->combine);
 }
 
 const FramePass pass_combine = {

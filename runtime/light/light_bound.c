@@ -90,27 +90,27 @@ static int count_lights(const Scene *scene)
     return count;
 }
 
-int light_far_most(const Render *render)
+int light_far_most(const Renderer *renderer)
 {
     int most = 512;
-    while (most < count_lights(render->scene))
+    while (most < count_lights(renderer->scene))
         most *= 2;
     return most;
 }
 
-static bool is_way(const RenderOptions *options, const char *way)
+static bool is_way(const RendererOptions *options, const char *way)
 {
     return !strcmp(options->lights ? options->lights : "auto", way);
 }
 
-bool light_far_check(GlContext *gl, const RenderOptions *options)
+bool light_far_check(GlContext *gl, const RendererOptions *options)
 {
     return is_way(options, "auto") || is_way(options, "all") || is_way(options, "bounded") ||
            gl_fail(gl, "lights are auto, all or bounded, not '%s'", options->lights);
 }
 
 /* Reports whether the picture has 8 bits or half floats, and is the requested view. */
-static bool is_shown(const RenderOptions *options)
+static bool is_shown(const RendererOptions *options)
 {
     return !options->deep && (!options->view || !strcmp(options->view, "shown"));
 }
@@ -125,38 +125,38 @@ static bool has_buffers(const GlContext *gl)
 }
 
 /* Returns the reason why clustering cannot be used, even on request; NULL if it can. */
-static const char *find_lack(const Render *render, int count)
+static const char *find_lack(const Renderer *renderer, int count)
 {
     double budget[2];
     if (count == 0)
         return "nothing to do";
-    if (is_way(&render->options, "all"))
+    if (is_way(&renderer->options, "all"))
         return "all lights are asked for";
     if (count > MOST)
         return "there are more than 4096 lights";
-    if (!light_far_budget(render->scene->tone, render->options.linear, budget))
+    if (!light_far_budget(renderer->scene->tone, renderer->options.linear, budget))
         return "what the tone mapping makes of it has no bound";
-    if (!render->surface->parts)
+    if (!renderer->surface->parts)
         return "nothing bounds the surface model";
-    if (render->parted)
+    if (renderer->parted)
         return "shadows are made in parts";
-    if (shadow_sheet_needed(render))
+    if (shadow_sheet_needed(renderer))
         return "a plane's shadows are known pixel by pixel";
-    return render->compute && has_buffers(render->gl)
+    return renderer->compute && has_buffers(renderer->gl)
                ? NULL
                : "it takes compute with three storage buffers and 18 textures";
 }
 
-const char *light_far_lacks(const Render *render)
+const char *light_far_lacks(const Renderer *renderer)
 {
-    const int count = count_lights(render->scene),
-              least = render->gl->hardware ? LEAST_HARDWARE : LEAST_SOFTWARE;
-    const char *lack = find_lack(render, count);
-    if (lack || is_way(&render->options, "bounded"))
+    const int count = count_lights(renderer->scene),
+              least = renderer->gl->hardware ? LEAST_HARDWARE : LEAST_SOFTWARE;
+    const char *lack = find_lack(renderer, count);
+    if (lack || is_way(&renderer->options, "bounded"))
         return lack;
-    return count < least                ? "lights are few"
-           : is_shown(&render->options) ? NULL
-                                        : "more than 8 bits, or halves, are asked for";
+    return count < least                  ? "lights are few"
+           : is_shown(&renderer->options) ? NULL
+                                          : "more than 8 bits, or halves, are asked for";
 }
 
-bool light_far_used(const Render *render) { return !light_far_lacks(render); }
+bool light_far_used(const Renderer *renderer) { return !light_far_lacks(renderer); }

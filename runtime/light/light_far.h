@@ -5,16 +5,16 @@
 #define MATC_RENDER_LIGHT_FAR_H
 #include "gen/far_layout.h"
 #include "runtime/light/light_state.h"
-#include "runtime/frame/frame.h"
+#include "runtime/frame_graph/frame.h"
 
 /* Checks the option `lights`; returns the reason why distant lights are not summed together,
  * NULL if they are; reports whether they are. */
-bool light_far_check(GlContext *gl, const RenderOptions *options);
-const char *light_far_lacks(const Render *render);
-bool light_far_used(const Render *render);
+bool light_far_check(GlContext *gl, const RendererOptions *options);
+const char *light_far_lacks(const Renderer *renderer);
+bool light_far_used(const Renderer *renderer);
 /* Returns the capacity in lights, a power of two and a multiple of 32. Programs are shared by
  * all numbers of lights up to it. */
-int light_far_most(const Render *render);
+int light_far_most(const Renderer *renderer);
 /* Returns the error budget of light at exposure 0: relative, and absolute; `linear`: for a
  * picture of light in half floats. False if no error is allowed. */
 bool light_far_budget(SceneKind tone, bool linear, double budget[2]);
@@ -26,16 +26,16 @@ int light_far_blocks(int pixels);
 typedef struct {
     int bits, tops, near, marks, block;
 } LightFarWords;
-LightFarWords light_far_words(const Render *render);
+LightFarWords light_far_words(const Renderer *renderer);
 /* Buffers of light clustering: bytes per pixel, rounded up, or 0 if unused; edge of the blocks
  * in pixels, or 1; max rows of a tile of a given width; a line for --stats; creation and
  * deletion. */
-int light_far_bytes(const Render *render);
-int light_far_block(const Render *render);
-int light_far_rows(const Render *render, int width);
-void light_far_put(Text *out, const Render *render);
-bool light_far_make(Render *render);
-void light_far_delete(Render *render);
+int light_far_bytes(const Renderer *renderer);
+int light_far_block(const Renderer *renderer);
+int light_far_rows(const Renderer *renderer, int width);
+void light_far_put(Text *out, const Renderer *renderer);
+bool light_far_make(Renderer *renderer);
+void light_far_delete(Renderer *renderer);
 /* Sorts lights of two texels, the first of which begins with a position, so that lights close in
  * space are close in the array. False if memory runs out. light_order.c */
 bool light_order(float (*lights)[LIGHT_PLAIN_TEXELS][4], int count);
@@ -44,8 +44,9 @@ bool light_order(float (*lights)[LIGHT_PLAIN_TEXELS][4], int count);
 enum { LIGHT_FAR_DEFINITIONS = 512 };
 /* The programs in the order of a frame. */
 typedef enum { LIGHT_FAR_groups, LIGHT_FAR_near, LIGHT_FAR_gather, LIGHT_FAR_light } LightFarUse;
-void light_far_define(const Render *render, LightFarUse use, char defined[LIGHT_FAR_DEFINITIONS]);
-void light_far_set(const Render *render, ScreenPass *pass);
-void light_far_bind(const Render *render);
-void light_far_bind_read(const Render *render);
+void light_far_define(const Renderer *renderer, LightFarUse use,
+                      char defined[LIGHT_FAR_DEFINITIONS]);
+void light_far_set(const Renderer *renderer, ScreenPass *pass);
+void light_far_bind(const Renderer *renderer);
+void light_far_bind_read(const Renderer *renderer);
 #endif

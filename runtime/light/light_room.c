@@ -9,9 +9,9 @@ _Static_assert((int)LIGHT_FAR_GROUP_NUMBERS <= 4 * (int)TEXELS, "both are kept i
 /* per block */
 static const size_t numbers_bytes = GROUPS * TEXELS * 4 * sizeof(float);
 
-LightFarWords light_far_words(const Render *render)
+LightFarWords light_far_words(const Renderer *renderer)
 {
-    LightFarWords words = {.bits = light_far_most(render) / LIGHT_FAR_WORD};
+    LightFarWords words = {.bits = light_far_most(renderer) / LIGHT_FAR_WORD};
     words.tops = (words.bits + LIGHT_FAR_WORD - 1) / LIGHT_FAR_WORD;
     words.near = words.tops + words.bits;
     words.marks = words.near + words.bits;
@@ -19,35 +19,36 @@ LightFarWords light_far_words(const Render *render)
     return words;
 }
 
-static size_t words_bytes(const Render *render)
+static size_t words_bytes(const Renderer *renderer)
 {
-    return (size_t)light_far_words(render).block * sizeof(GLuint);
+    return (size_t)light_far_words(renderer).block * sizeof(GLuint);
 }
 
 int light_far_blocks(int pixels) { return (pixels + LIGHT_FAR_BLOCK - 1) / LIGHT_FAR_BLOCK; }
 
-static bool is_there(const Render *render)
+static bool is_there(const Renderer *renderer)
 {
-    return render->targets.plan.there >> FRAME_TARGET_far & 1;
+    return renderer->targets.plan.there >> FRAME_TARGET_far & 1;
 }
 
-int light_far_bytes(const Render *render)
+int light_far_bytes(const Renderer *renderer)
 {
     const size_t pixels = LIGHT_FAR_BLOCK * LIGHT_FAR_BLOCK;
-    return is_there(render) ? (int)((numbers_bytes + words_bytes(render) + pixels - 1) / pixels)
-                            : 0;
+    return is_there(renderer) ? (int)((numbers_bytes + words_bytes(renderer) + pixels - 1) / pixels)
+                              : 0;
 }
 
-int light_far_block(const Render *render) { return is_there(render) ? LIGHT_FAR_BLOCK : 1; }
+int light_far_block(const Renderer *renderer) { return is_there(renderer) ? LIGHT_FAR_BLOCK : 1; }
 
-int light_far_rows(const Render *render, int width)
+int light_far_rows(const Renderer *renderer, int width)
 {
     GLint storage = 0, texels = 0;
-    if (!is_there(render))
+    if (!is_there(renderer))
         return INT_MAX;
-    render->gl->GetIntegerv(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &storage);
-    render->gl->GetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &texels);
-    const size_t words = words_bytes(render), bytes = words > numbers_bytes ? words : numbers_bytes;
+    renderer->gl->GetIntegerv(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &storage);
+    renderer->gl->GetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &texels);
+    const size_t words = words_bytes(renderer),
+                 bytes = words > numbers_bytes ? words : numbers_bytes;
     const size_t count = words / sizeof(GLuint),
                  most = count > GROUPS * TEXELS ? count : GROUPS * TEXELS;
     const size_t by_storage = (size_t)storage / bytes, by_texels = (size_t)texels / most;
@@ -56,37 +57,39 @@ int light_far_rows(const Render *render, int width)
     return rows < INT_MAX / LIGHT_FAR_BLOCK ? (int)rows * LIGHT_FAR_BLOCK : INT_MAX;
 }
 
-static size_t block_count(const Render *render)
+static size_t block_count(const Renderer *renderer)
 {
-    return (size_t)light_far_blocks(render->size[0]) * (size_t)light_far_blocks(render->size[1]);
+    return (size_t)light_far_blocks(renderer->size[0]) *
+           (size_t)light_far_blocks(renderer->size[1]);
 }
 
-void light_far_put(Text *out, const Render *render)
+void light_far_put(Text *out, const Renderer *renderer)
 {
-    if (is_there(render))
-        text_format(out, "%-8s  %-24s  %d: %lu bytes for blocks of %d x %d\n", "far", "two buffers",
-                    light_far_bytes(render),
-                    (unsigned long)(block_count(render) * (numbers_bytes + words_bytes(render))),
-                    LIGHT_FAR_BLOCK, LIGHT_FAR_BLOCK);
+    if (is_there(renderer))
+        text_format(
+            out, "%-8s  %-24s  %d: %lu bytes for blocks of %d x %d\n", "far", "two buffers",
+            light_far_bytes(renderer),
+            (unsigned long)(block_count(renderer) * (numbers_bytes + words_bytes(renderer))),
+            LIGHT_FAR_BLOCK, LIGHT_FAR_BLOCK);
     else
         text_format(out, "%-8s  %-24s  not there\n", "far", "two buffers");
 }
 
 /* Makes a buffer with a number of bytes per block. */
-static void make_buffer(const Render *render, size_t bytes, GLuint *buffer)
+static void make_buffer(const Renderer *renderer, size_t bytes, GLuint *buffer)
 {
-    const GlContext *gl = render->gl;
+    const GlContext *gl = renderer->gl;
     gl->GenBuffers(1, buffer);
     gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, *buffer);
-    gl->BufferData(GL_SHADER_STORAGE_BUFFER, (GLsizeiptr)(block_count(render) * bytes), NULL,
+    gl->BufferData(GL_SHADER_STORAGE_BUFFER, (GLsizeiptr)(block_count(renderer) * bytes), NULL,
                    GL_DYNAMIC_COPY);
     gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
 }
 
 /* Makes a buffer texture. */
-static void make_view(const Render *render, GLenum format, GLuint buffer, GLuint *view)
+static void make_view(const Renderer *renderer, GLenum format, GLuint buffer, GLuint *view)
 {
-    const GlContext *gl = render->gl;
+    const GlContext *gl = renderer->gl;
     gl->GenTextures(1, view);
     gl->ActiveTexture(GL_TEXTURE0);
     gl->BindTexture(GL_TEXTURE_BUFFER, *view);
@@ -94,23 +97,23 @@ static void make_view(const Render *render, GLenum format, GLuint buffer, GLuint
     gl->BindTexture(GL_TEXTURE_BUFFER, 0);
 }
 
-bool light_far_make(Render *render)
+bool light_far_make(Renderer *renderer)
 {
-    make_buffer(render, numbers_bytes, &render->light->far.numbers);
-    make_buffer(render, words_bytes(render), &render->light->far.words);
-    make_view(render, GL_RGBA32F, render->light->far.numbers, &render->light->far.texels);
-    make_view(render, GL_R32UI, render->light->far.words, &render->light->far.bits);
-    return gl_check(render->gl, "making room for many lights");
+    make_buffer(renderer, numbers_bytes, &renderer->light->far.numbers);
+    make_buffer(renderer, words_bytes(renderer), &renderer->light->far.words);
+    make_view(renderer, GL_RGBA32F, renderer->light->far.numbers, &renderer->light->far.texels);
+    make_view(renderer, GL_R32UI, renderer->light->far.words, &renderer->light->far.bits);
+    return gl_check(renderer->gl, "making room for many lights");
 }
 
-void light_far_delete(Render *render)
+void light_far_delete(Renderer *renderer)
 {
-    frame_retire(render, &render->light->far.groups);
-    frame_retire(render, &render->light->far.near);
-    frame_retire(render, &render->light->far.gather);
-    render->gl->DeleteTextures(1, &render->light->far.texels); /* GL ignores the name 0 */
-    render->gl->DeleteTextures(1, &render->light->far.bits);
-    render->gl->DeleteBuffers(1, &render->light->far.numbers);
-    render->gl->DeleteBuffers(1, &render->light->far.words);
-    render->light->far = (FrameFar){0};
+    frame_retire(renderer, &renderer->light->far.groups);
+    frame_retire(renderer, &renderer->light->far.near);
+    frame_retire(renderer, &renderer->light->far.gather);
+    renderer->gl->DeleteTextures(1, &renderer->light->far.texels); /* GL ignores the name 0 */
+    renderer->gl->DeleteTextures(1, &renderer->light->far.bits);
+    renderer->gl->DeleteBuffers(1, &renderer->light->far.numbers);
+    renderer->gl->DeleteBuffers(1, &renderer->light->far.words);
+    renderer->light->far = (FrameFar){0};
 }

@@ -147,9 +147,9 @@ static void make_numbers(Moments *m, float out[SKY_WORLD][4])
 }
 
 /* Draws the sky into a face of the cube map, and reads it back. */
-static bool draw_face(Render *render, int face, const Framebuffer *target, float *rgba)
+static bool draw_face(Renderer *renderer, int face, const Framebuffer *target, float *rgba)
 {
-    GlContext *gl = render->gl;
+    GlContext *gl = renderer->gl;
     SceneCamera camera = {.kind = SCENE_Perspective, .half = 1, .near = 1};
     ViewSpace space;
     for (int i = 0; i < 3; i++) {
@@ -157,43 +157,43 @@ static bool draw_face(Render *render, int face, const Framebuffer *target, float
         camera.up[i] = faces[face][2][i];
         camera.back[i] = -faces[face][0][i];
     }
-    view_space_make(&camera, (const int[]){FACE, FACE}, render->zero_to_one, &space);
-    space.spaces.time = (float)render->scene->time;
-    spaces_set(&space.spaces, &render->gpu_scene.sky);
+    view_space_make(&camera, (const int[]){FACE, FACE}, renderer->zero_to_one, &space);
+    space.spaces.time = (float)renderer->scene->time;
+    spaces_set(&space.spaces, &renderer->gpu_scene.sky);
     framebuffer_use(gl, target);
-    material_use(&render->gpu_scene.sky);
-    screen_draw(gl, &render->screen);
+    material_use(&renderer->gpu_scene.sky);
+    screen_draw(gl, &renderer->screen);
     if (!framebuffer_read(gl, target, 0, rgba))
         return false;
     /* clamps to the range of half floats; NaN becomes black */
     for (int i = 0; i < 4 * FACE * FACE; i++)
         rgba[i] = rgba[i] > 0 ? fminf(rgba[i], 65504) : 0;
     for (int i = 0; i < 4 * FACE * FACE; i += 4)
-        render->light->sky.uneven |= memcmp(rgba + i, face ? render->light->sky.first : rgba,
-                                            sizeof render->light->sky.first) != 0;
+        renderer->light->sky.uneven |= memcmp(rgba + i, face ? renderer->light->sky.first : rgba,
+                                              sizeof renderer->light->sky.first) != 0;
     if (!face)
-        memcpy(render->light->sky.first, rgba, sizeof render->light->sky.first);
+        memcpy(renderer->light->sky.first, rgba, sizeof renderer->light->sky.first);
     gl->ActiveTexture(GL_TEXTURE0);
-    gl->BindTexture(GL_TEXTURE_CUBE_MAP, render->light->sky.map);
+    gl->BindTexture(GL_TEXTURE_CUBE_MAP, renderer->light->sky.map);
     gl->TexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + (GLenum)face, 0, GL_RGBA16F, FACE, FACE, 0,
                    GL_RGBA, GL_FLOAT, rgba);
     return gl_check(gl, "drawing the sky");
 }
 
-static void make_map(Render *render)
+static void make_map(Renderer *renderer)
 {
-    GlContext *gl = render->gl;
+    GlContext *gl = renderer->gl;
     gl->Enable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
-    gl->GenTextures(1, &render->light->sky.map);
+    gl->GenTextures(1, &renderer->light->sky.map);
     gl->ActiveTexture(GL_TEXTURE0);
-    gl->BindTexture(GL_TEXTURE_CUBE_MAP, render->light->sky.map);
+    gl->BindTexture(GL_TEXTURE_CUBE_MAP, renderer->light->sky.map);
     gl->TexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
     gl->TexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
 }
 
-bool light_sky_make(Render *render)
+bool light_sky_make(Renderer *renderer)
 {
-    GlContext *gl = render->gl;
+    GlContext *gl = renderer->gl;
     const FramebufferSpec spec = {
         .width = FACE, .height = FACE, .color_count = 1, .color_format = GL_RGBA32F};
     float *rgba = malloc(4 * FACE * FACE * sizeof *rgba);
@@ -202,40 +202,40 @@ bool light_sky_make(Render *render)
     bool fine = (rgba && moments) || gl_fail(gl, "out of memory");
     fine = fine && framebuffer_make(gl, &spec, &target);
     if (fine)
-        make_map(render);
+        make_map(renderer);
     for (int face = 0; fine && face < FACES; face++) {
-        fine = draw_face(render, face, &target, rgba);
+        fine = draw_face(renderer, face, &target, rgba);
         if (fine)
             add_face(faces[face], rgba, moments);
     }
     if (fine) {
-        gl->BindTexture(GL_TEXTURE_CUBE_MAP, render->light->sky.map);
+        gl->BindTexture(GL_TEXTURE_CUBE_MAP, renderer->light->sky.map);
         gl->GenerateMipmap(GL_TEXTURE_CUBE_MAP);
-        make_numbers(moments, render->light->sky.irradiance);
+        make_numbers(moments, renderer->light->sky.irradiance);
     }
-    const Spaces seen = view_space_of_sky(&render->space);
-    spaces_set(&seen, &render->gpu_scene.sky);
+    const Spaces seen = view_space_of_sky(&renderer->space);
+    spaces_set(&seen, &renderer->gpu_scene.sky);
     framebuffer_delete(gl, &target);
     free(moments);
     free(rgba);
     return fine && gl_check(gl, "making the sky's light");
 }
 
-void light_sky_set(const Render *render, int unit, ScreenPass *pass)
+void light_sky_set(const Renderer *renderer, int unit, ScreenPass *pass)
 {
     float numbers[SKY_NUMBERS][4] = {{0}};
-    memcpy(numbers, render->light->sky.irradiance, sizeof render->light->sky.irradiance);
+    memcpy(numbers, renderer->light->sky.irradiance, sizeof renderer->light->sky.irradiance);
     for (int row = 0; row < 3; row++) { /* the inverse of a rotation is its transpose */
         for (int i = 0; i < 3; i++)
-            numbers[SKY_WORLD + row][i] = (float)render->space.eye_from_world[4 * row + i];
-        numbers[SKY_LIGHT][row] = (float)render->scene->sky_light[row];
+            numbers[SKY_WORLD + row][i] = (float)renderer->space.eye_from_world[4 * row + i];
+        numbers[SKY_LIGHT][row] = (float)renderer->scene->sky_light[row];
     }
     material_write(&pass->material, "Sky", numbers, sizeof numbers);
     screen_pass_sampler(pass, "sky_map", unit);
 }
 
-void light_sky_bind(const Render *render, int unit)
+void light_sky_bind(const Renderer *renderer, int unit)
 {
-    render->gl->ActiveTexture(GL_TEXTURE0 + (GLenum)unit);
-    render->gl->BindTexture(GL_TEXTURE_CUBE_MAP, render->light->sky.map);
+    renderer->gl->ActiveTexture(GL_TEXTURE0 + (GLenum)unit);
+    renderer->gl->BindTexture(GL_TEXTURE_CUBE_MAP, renderer->light->sky.map);
 }

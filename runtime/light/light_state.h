@@ -2,7 +2,7 @@
 #ifndef MATC_LIGHT_LIGHT_STATE_H
 #define MATC_LIGHT_LIGHT_STATE_H
 #include "gen/sky_layout.h"
-#include "runtime/frame/frame.h"
+#include "runtime/frame_graph/frame.h"
 #include "runtime/gpu_scene/view_space.h"
 #include "runtime/gpu_material/screen_pass.h"
 #include "runtime/scene/scene.h"

@@ -21,9 +21,9 @@ static bool is_around(const LightKind *row) { return row->from >= LIGHT_FROM_aro
 /* Reports whether a kind is summed: the scene has such lights, the kind has GLSL, and it is
  * ambient or `places` is set. Ambient light that does not vary by direction is always summed: it
  * costs almost nothing, and scenes with and without it share a program. */
-static bool is_summed(const Render *render, const LightKind *row, bool places)
+static bool is_summed(const Renderer *renderer, const LightKind *row, bool places)
 {
-    const Scene *scene = render->scene;
+    const Scene *scene = renderer->scene;
     bool summed = row->from == LIGHT_FROM_sky ? light_sky_shines(scene)
                                               : row->from == LIGHT_FROM_around && !row->varies;
     for (int i = 0; i < scene->light_count; i++)
@@ -31,10 +31,10 @@ static bool is_summed(const Render *render, const LightKind *row, bool places)
     return summed && row->glsl && (places || is_around(row));
 }
 
-void light_sum_texts(const Render *render, bool places, ScreenPassText *text)
+void light_sum_texts(const Renderer *renderer, bool places, ScreenPassText *text)
 {
     for (int k = 0; light_kind_table[k]; k++)
-        if (is_summed(render, light_kind_table[k], places))
+        if (is_summed(renderer, light_kind_table[k], places))
             screen_pass_add(text, light_kind_table[k]->glsl);
 }
 
@@ -49,14 +49,14 @@ static void put(char composed[LIGHT_SUM_TEXT], const char *before, const char *n
 }
 
 /* Declares a uniform for each kind with a position: the number of its lights. */
-static void put_numbers(const Render *render, char composed[LIGHT_SUM_TEXT])
+static void put_numbers(const Renderer *renderer, char composed[LIGHT_SUM_TEXT])
 {
     const char *head = "layout(std140) uniform LightKinds {\n    int light_",
                *next = "    int light_";
     bool some = false;
     for (int k = 0; light_kind_table[k]; k++) {
         const LightKind *row = light_kind_table[k];
-        if (is_around(row) || !is_summed(render, row, true))
+        if (is_around(row) || !is_summed(renderer, row, true))
             continue;
         put(composed, some ? next : head, light_kind_name(row), ";\n");
         some = true;
@@ -64,12 +64,13 @@ static void put_numbers(const Render *render, char composed[LIGHT_SUM_TEXT])
     put(composed, some ? "};\n\n" : "", "", "");
 }
 
-static void put_sums(const Render *render, bool around, bool places, char composed[LIGHT_SUM_TEXT])
+static void put_sums(const Renderer *renderer, bool around, bool places,
+                     char composed[LIGHT_SUM_TEXT])
 {
     for (int k = 0; light_kind_table[k]; k++) {
         const LightKind *row = light_kind_table[k];
         const char *name = light_kind_name(row);
-        if (is_around(row) != around || !is_summed(render, row, places))
+        if (is_around(row) != around || !is_summed(renderer, row, places))
             continue;
         if (!around)
             put(composed, "    for (int i = 0; i < light_", name, "; i++, light++)\n    ");
@@ -77,32 +78,32 @@ static void put_sums(const Render *render, bool around, bool places, char compos
     }
 }
 
-void light_sum_compose(const Render *render, bool places, char composed[LIGHT_SUM_TEXT])
+void light_sum_compose(const Renderer *renderer, bool places, char composed[LIGHT_SUM_TEXT])
 {
     static const char end[] = "    return sum;\n}\n\n";
     *composed = 0;
     if (places)
-        put_numbers(render, composed);
+        put_numbers(renderer, composed);
     put(composed, "vec3 lightAround(Seen seen)\n{\n    vec3 sum = vec3(0.0);\n", "", "");
-    put_sums(render, true, places, composed);
+    put_sums(renderer, true, places, composed);
     put(composed, end, "vec3 lightFromKinds(vec3 sum, Seen seen)\n{\n",
         "    int light = light_plain + light_points;\n");
-    put_sums(render, false, places, composed);
+    put_sums(renderer, false, places, composed);
     put(composed, end, "", "");
 }
 
-void light_sum_set(const Render *render, ScreenPass *pass)
+void light_sum_set(const Renderer *renderer, ScreenPass *pass)
 {
     for (int k = 0; light_kind_table[k]; k++) {
         const LightKind *row = light_kind_table[k];
         char count[LIGHT_SUM_NAME];
         float numbers[VIEW_SPACE_AROUND][4];
         snprintf(count, sizeof count, "light_%s", light_kind_name(row));
-        view_space_around(&render->space, render->scene, row, numbers);
+        view_space_around(&renderer->space, renderer->scene, row, numbers);
         if (row->from == LIGHT_FROM_around) /* a program has the block, or does not sum the kind */
             material_write(&pass->material, light_kind_name(row), numbers, sizeof numbers);
         else if (row->glsl && !is_around(row))
             material_set_number(&pass->material, count,
-                                (float)render->light->counts[VIEW_SPACE_KINDS + k]);
+                                (float)renderer->light->counts[VIEW_SPACE_KINDS + k]);
     }
 }

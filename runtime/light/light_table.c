@@ -18,85 +18,88 @@ static int room_for(int texels)
     return room;
 }
 
-static bool write_texture(Render *render, int unit)
+static bool write_texture(Renderer *renderer, int unit)
 {
-    LightTable *lights = &render->light->table;
+    LightTable *lights = &renderer->light->table;
     const TextureSpec spec = {.width = lights->count < LIGHT_ROW ? lights->count : LIGHT_ROW,
                               .height = (lights->count + LIGHT_ROW - 1) / LIGHT_ROW,
                               .lanes = 4,
                               .floats = lights->texels[0]};
     /* making a texture binds it to this unit */
-    render->gl->ActiveTexture(GL_TEXTURE0 + (GLenum)unit);
+    renderer->gl->ActiveTexture(GL_TEXTURE0 + (GLenum)unit);
     if (lights->texture)
-        texture_rewrite(render->gl, lights->texture, &spec);
+        texture_rewrite(renderer->gl, lights->texture, &spec);
     else
-        lights->texture = texture_check(render->gl, &spec) ? texture_make(render->gl, &spec) : 0;
+        lights->texture =
+            texture_check(renderer->gl, &spec) ? texture_make(renderer->gl, &spec) : 0;
     return lights->texture != 0;
 }
 
 /* Reports whether all texels fit into a uniform block. Drivers allow at least 16 KiB; 64 KiB are
  * usual, which are 2048 plain lights. */
-static bool fits_block(const Render *render)
+static bool fits_block(const Renderer *renderer)
 {
     GLint most = 0;
-    render->gl->GetIntegerv(GL_MAX_UNIFORM_BLOCK_SIZE, &most);
-    return (size_t)render->light->table.count * sizeof *render->light->table.texels <= (size_t)most;
+    renderer->gl->GetIntegerv(GL_MAX_UNIFORM_BLOCK_SIZE, &most);
+    return (size_t)renderer->light->table.count * sizeof *renderer->light->table.texels <=
+           (size_t)most;
 }
 
-bool light_table_write(Render *render, int unit)
+bool light_table_write(Renderer *renderer, int unit)
 {
-    LightTable *lights = &render->light->table;
-    const bool others = render->light->counts[VIEW_SPACE_POINTS] > 0;
+    LightTable *lights = &renderer->light->table;
+    const bool others = renderer->light->counts[VIEW_SPACE_POINTS] > 0;
     if (!lights->texels)
-        lights->texels = calloc((size_t)room_for(render->scene->light_count * LIGHT_TEXELS),
+        lights->texels = calloc((size_t)room_for(renderer->scene->light_count * LIGHT_TEXELS),
                                 sizeof *lights->texels);
     if (!lights->texels)
-        return gl_fail(render->gl, "out of memory");
-    view_space_lights(&render->space, render->scene, !render->options.no_shadows, lights->texels,
-                      render->light->counts);
-    if (light_far_used(render) && !light_order((float(*)[LIGHT_PLAIN_TEXELS][4])lights->texels,
-                                               render->light->counts[VIEW_SPACE_PLAIN]))
-        return gl_fail(render->gl, "out of memory");
-    shadow_put_lights(render, render->light->counts, lights->texels);
-    if (render->light->far.numbers && others != (render->light->counts[VIEW_SPACE_POINTS] > 0))
+        return gl_fail(renderer->gl, "out of memory");
+    view_space_lights(&renderer->space, renderer->scene, !renderer->options.no_shadows,
+                      lights->texels, renderer->light->counts);
+    if (light_far_used(renderer) && !light_order((float(*)[LIGHT_PLAIN_TEXELS][4])lights->texels,
+                                                 renderer->light->counts[VIEW_SPACE_PLAIN]))
+        return gl_fail(renderer->gl, "out of memory");
+    shadow_put_lights(renderer, renderer->light->counts, lights->texels);
+    if (renderer->light->far.numbers && others != (renderer->light->counts[VIEW_SPACE_POINTS] > 0))
         return gl_fail(
-            render->gl,
+            renderer->gl,
             "lights cast shadows, or do not, where none did otherwise: this is another scene");
-    const int count = room_for(view_space_texels(render->light->counts, VIEW_SPACE_SECTIONS));
+    const int count = room_for(view_space_texels(renderer->light->counts, VIEW_SPACE_SECTIONS));
     if (lights->count && count > lights->count)
-        return gl_fail(render->gl, "the lights take %d texels, not %d: this is another scene",
+        return gl_fail(renderer->gl, "the lights take %d texels, not %d: this is another scene",
                        count, lights->count);
     lights->count = lights->count ? lights->count : count;
-    return (fits_block(render) && !light_far_used(render)) || write_texture(render, unit);
+    return (fits_block(renderer) && !light_far_used(renderer)) || write_texture(renderer, unit);
 }
 
-void light_table_define(const Render *render, bool scattered, char defined[LIGHT_TABLE_DEFINITION])
+void light_table_define(const Renderer *renderer, bool scattered,
+                        char defined[LIGHT_TABLE_DEFINITION])
 {
     *defined = 0;
-    if (fits_block(render) && !scattered)
+    if (fits_block(renderer) && !scattered)
         snprintf(defined, LIGHT_TABLE_DEFINITION, "#define LIGHT_BLOCK %d\n",
-                 render->light->table.count);
+                 renderer->light->table.count);
 }
 
-void light_table_set(const Render *render, int unit, ScreenPass *pass)
+void light_table_set(const Renderer *renderer, int unit, ScreenPass *pass)
 {
-    const LightTable *lights = &render->light->table;
+    const LightTable *lights = &renderer->light->table;
     if (lights->texture)
         screen_pass_sampler(pass, "light_lights", unit);
-    if (fits_block(render)) /* a program has either the block or the texture */
+    if (fits_block(renderer)) /* a program has either the block or the texture */
         material_write(&pass->material, "Lights", lights->texels,
                        (size_t)lights->count * sizeof *lights->texels);
 }
 
-void light_table_bind(const Render *render, int unit)
+void light_table_bind(const Renderer *renderer, int unit)
 {
-    if (render->light->table.texture)
-        texture_bind(render->gl, render->light->table.texture, unit);
+    if (renderer->light->table.texture)
+        texture_bind(renderer->gl, renderer->light->table.texture, unit);
 }
 
-void light_table_delete(Render *render)
+void light_table_delete(Renderer *renderer)
 {
-    render->gl->DeleteTextures(1, &render->light->table.texture); /* GL ignores the name 0 */
-    free(render->light->table.texels);
-    render->light->table = (LightTable){0};
+    renderer->gl->DeleteTextures(1, &renderer->light->table.texture); /* GL ignores the name 0 */
+    free(renderer->light->table.texels);
+    renderer->light->table = (LightTable){0};
 }

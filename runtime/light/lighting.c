@@ -13,10 +13,10 @@ _Static_assert(SHADOW_UNIT + SHADOW_UNITS == LIGHTING_UNITS, "units");
 static const char no_surface[] = "struct Surface { float nothing; };\nSurface unpackSurface(ivec2 "
                                  "pixel) { return Surface(0.0); }\n";
 
-static int targets_of(const Render *render)
+static int targets_of(const Renderer *renderer)
 {
     int count = 0;
-    while (material_set_format(&render->set, count))
+    while (material_set_format(&renderer->set, count))
         count++;
     return count;
 }
@@ -26,146 +26,149 @@ static void set(ScreenPass *pass, const char *name, const float values[4])
     material_set(&pass->material, &(MaterialValue){name, 4, values});
 }
 
-void lighting_place(const Render *render, ScreenPass *pass)
+void lighting_place(const Renderer *renderer, ScreenPass *pass)
 {
     if (!pass->material.store)
         return;
-    set(pass, "light_ray", render->space.ray);
-    backdrop_set(render, true, pass);
+    set(pass, "light_ray", renderer->space.ray);
+    backdrop_set(renderer, true, pass);
 }
 
-static void set_numbers(const Render *render, ScreenPass *pass)
+static void set_numbers(const Renderer *renderer, ScreenPass *pass)
 {
-    const int targets = targets_of(render);
+    const int targets = targets_of(renderer);
     char name[] = "matc_gbuffer0";
-    lighting_place(render, pass);
-    set(pass, "light_view", render->space.depth);
+    lighting_place(renderer, pass);
+    set(pass, "light_view", renderer->space.depth);
     material_set_number(&pass->material, "light_plain",
-                        (float)render->light->counts[VIEW_SPACE_PLAIN]);
+                        (float)renderer->light->counts[VIEW_SPACE_PLAIN]);
     material_set_number(&pass->material, "light_points",
-                        (float)render->light->counts[VIEW_SPACE_POINTS]);
-    light_sum_set(render, pass);
+                        (float)renderer->light->counts[VIEW_SPACE_POINTS]);
+    light_sum_set(renderer, pass);
     for (int i = 0; i < targets; i++) {
         name[sizeof name - 2] = (char)('0' + i);
         screen_pass_sampler(pass, name, i);
     }
     screen_pass_sampler(pass, "light_depth", DEPTH_UNIT);
-    light_table_set(render, LIGHTS_UNIT, pass);
-    shadow_set(render, SHADOW_UNIT, pass);
+    light_table_set(renderer, LIGHTS_UNIT, pass);
+    shadow_set(renderer, SHADOW_UNIT, pass);
 }
 
 /* Prepends the surface model's name: the driver's message refers to a text composed of several. */
-static bool fail_model(const Render *render)
+static bool fail_model(const Renderer *renderer)
 {
-    char why[sizeof render->gl->error];
-    snprintf(why, sizeof why, "%s", render->gl->error);
-    return gl_fail(render->gl, "lighting surfaces by the model %s: %s", render->surface->name, why);
+    char why[sizeof renderer->gl->error];
+    snprintf(why, sizeof why, "%s", renderer->gl->error);
+    return gl_fail(renderer->gl, "lighting surfaces by the model %s: %s", renderer->surface->name,
+                   why);
 }
 
-bool lighting_lights(Render *render) { return light_table_write(render, LIGHTS_UNIT); }
+bool lighting_lights(Renderer *renderer) { return light_table_write(renderer, LIGHTS_UNIT); }
 
 /* Adds the unpacking of a Surface, and the surface model, preceded by the kinds of light that it
  * needs. */
-static void add_surface(const Render *render, bool places, ScreenPassText *text)
+static void add_surface(const Renderer *renderer, bool places, ScreenPassText *text)
 {
-    screen_pass_add(text, render->set.unpack ? render->set.unpack : no_surface);
-    light_sum_texts(render, places, text);
-    screen_pass_add(text, render->surface_lacks);
-    screen_pass_add(text, render->surface->text);
-    screen_pass_add_all(text, render->surface->more, SURFACE_MODEL_MORE);
+    screen_pass_add(text, renderer->set.unpack ? renderer->set.unpack : no_surface);
+    light_sum_texts(renderer, places, text);
+    screen_pass_add(text, renderer->surface_lacks);
+    screen_pass_add(text, renderer->surface->text);
+    screen_pass_add_all(text, renderer->surface->more, SURFACE_MODEL_MORE);
 }
 
 /* Adds the sum over lights, with definitions for the part that later passes add. */
-static void add_lighting(const Render *render, LightingOf of, char composed[LIGHT_SUM_TEXT],
+static void add_lighting(const Renderer *renderer, LightingOf of, char composed[LIGHT_SUM_TEXT],
                          ScreenPassText *text)
 {
     const bool places = of != LIGHTING_around;
     if (of == LIGHTING_nodes)
         screen_pass_add(text, "#define LIGHT_AROUND_LATER\n#undef SHADOW_SHEETS\n" /* per pixel */);
-    else if (of == LIGHTING_nearest && scene_indirect_is(render->scene))
+    else if (of == LIGHTING_nearest && scene_indirect_is(renderer->scene))
         screen_pass_add(text, "#define LIGHT_AROUND_LATER\n");
-    screen_pass_add(text, backdrop_light_text(render));
-    light_sum_compose(render, places, composed);
+    screen_pass_add(text, backdrop_light_text(renderer));
+    light_sum_compose(renderer, places, composed);
     screen_pass_add_all(text, (const char *const[]){render_text_lighting, "#define LIGHT_SENDS\n"},
                         2);
-    light_sum_texts(render, places, text);
+    light_sum_texts(renderer, places, text);
     screen_pass_add(text, composed);
-    if (shadow_is_soft(render) && places)
+    if (shadow_is_soft(renderer) && places)
         screen_pass_add(text, render_text_shadow_soft);
 }
 
-static bool make_what_it_reads(Render *render)
+static bool make_what_it_reads(Renderer *renderer)
 {
-    return (render->light->table.texels || lighting_lights(render)) && shadow_make_tables(render) &&
-           (!light_sky_shines(render->scene) || render->light->sky.map || light_sky_make(render));
+    return (renderer->light->table.texels || lighting_lights(renderer)) &&
+           shadow_make_tables(renderer) &&
+           (!light_sky_shines(renderer->scene) || renderer->light->sky.map ||
+            light_sky_make(renderer));
 }
 
-bool lighting_make(Render *render, const LightingText *own, ScreenPass *made)
+bool lighting_make(Renderer *renderer, const LightingText *own, ScreenPass *made)
 {
     char table[LIGHT_TABLE_DEFINITION], composed[LIGHT_SUM_TEXT];
     ShadowText shadows;
     const bool places = own->of != LIGHTING_around,
                scattered = own->block > 0 && own->of != LIGHTING_nodes;
-    ScreenPassText text = {.format = frame_format(render, FRAME_TARGET_light, 0),
-                           .compute = render->compute || own->of == LIGHTING_nodes,
+    ScreenPassText text = {.format = frame_format(renderer, FRAME_TARGET_light, 0),
+                           .compute = renderer->compute || own->of == LIGHTING_nodes,
                            .over = own->over,
                            .block = own->block};
-    if (!make_what_it_reads(render))
+    if (!make_what_it_reads(renderer))
         return false;
-    add_surface(render, places, &text);
+    add_surface(renderer, places, &text);
     if (places) {
-        shadow_text(render, own->of == LIGHTING_nearest, &shadows);
+        shadow_text(renderer, own->of == LIGHTING_nearest, &shadows);
         screen_pass_add_all(&text, shadows.pieces, SHADOW_TEXT_PIECES);
     }
-    light_table_define(render, scattered, table);
+    light_table_define(renderer, scattered, table);
     screen_pass_add(&text, table);
-    add_lighting(render, own->of, composed, &text);
+    add_lighting(renderer, own->of, composed, &text);
     screen_pass_add_all(&text, own->body, LIGHTING_PIECES);
-    if (!screen_pass_make(render->store, &text, made))
-        return fail_model(render);
-    set_numbers(render, made);
-    if (light_sky_shines(render->scene))
-        light_sky_set(render, SKY_UNIT, made);
+    if (!screen_pass_make(renderer->store, &text, made))
+        return fail_model(renderer);
+    set_numbers(renderer, made);
+    if (light_sky_shines(renderer->scene))
+        light_sky_set(renderer, SKY_UNIT, made);
     return true;
 }
 
-bool lighting_changed(Render *render, unsigned what, ScreenPass *pass)
+bool lighting_changed(Renderer *renderer, unsigned what, ScreenPass *pass)
 {
-    if (!(what & (RENDER_CAMERA | RENDER_LIGHTS)) || !pass->material.store)
+    if (!(what & (RENDERER_CAMERA | RENDERER_LIGHTS)) || !pass->material.store)
         return true;
-    if (!light_table_write(render, LIGHTS_UNIT))
+    if (!light_table_write(renderer, LIGHTS_UNIT))
         return false;
-    set_numbers(render, pass);
-    if (render->light->sky.map)
-        light_sky_set(render, SKY_UNIT, pass);
+    set_numbers(renderer, pass);
+    if (renderer->light->sky.map)
+        light_sky_set(renderer, SKY_UNIT, pass);
     return true;
 }
 
-void lighting_moved(const Render *render, ScreenPass *pass)
+void lighting_moved(const Renderer *renderer, ScreenPass *pass)
 {
     if (pass->material.store)
-        shadow_set(render, SHADOW_UNIT, pass);
+        shadow_set(renderer, SHADOW_UNIT, pass);
 }
 
-void lighting_bind(const Render *render, FrameTarget surfaces, FrameTarget depth)
+void lighting_bind(const Renderer *renderer, FrameTarget surfaces, FrameTarget depth)
 {
-    for (int i = 0; frame_format(render, surfaces, i); i++)
-        texture_bind(render->gl, frame_texture(render, surfaces, i), i);
-    texture_bind(render->gl, frame_texture(render, depth, 0), DEPTH_UNIT);
-    light_table_bind(render, LIGHTS_UNIT);
-    shadow_bind(render, SHADOW_UNIT);
-    if (render->light->sky.map)
-        light_sky_bind(render, SKY_UNIT);
+    for (int i = 0; frame_format(renderer, surfaces, i); i++)
+        texture_bind(renderer->gl, frame_texture(renderer, surfaces, i), i);
+    texture_bind(renderer->gl, frame_texture(renderer, depth, 0), DEPTH_UNIT);
+    light_table_bind(renderer, LIGHTS_UNIT);
+    shadow_bind(renderer, SHADOW_UNIT);
+    if (renderer->light->sky.map)
+        light_sky_bind(renderer, SKY_UNIT);
 }
 
-void lighting_run(Render *render, const LightingSource *source, ScreenPass *pass)
+void lighting_run(Renderer *renderer, const LightingSource *source, ScreenPass *pass)
 {
-    shadow_sheet_draw(render, frame_texture(render, source->depth, 0));
-    for (int part = 0; part < shadow_parts_number(render); part++) {
-        shadow_parts_load(render, part);
-        lighting_bind(render, source->surfaces, source->depth);
+    shadow_sheet_draw(renderer, frame_texture(renderer, source->depth, 0));
+    for (int part = 0; part < shadow_parts_number(renderer); part++) {
+        shadow_parts_load(renderer, part);
+        lighting_bind(renderer, source->surfaces, source->depth);
         if (source->own)
-            texture_bind(render->gl, source->own, LIGHTING_FREE_UNIT);
-        screen_pass_run(pass, &render->targets.draws[FRAME_DRAW_light], &render->screen);
+            texture_bind(renderer->gl, source->own, LIGHTING_FREE_UNIT);
+        screen_pass_run(pass, &renderer->targets.draws[FRAME_DRAW_light], &renderer->screen);
     }
 }

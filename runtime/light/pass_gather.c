@@ -7,75 +7,75 @@
 #include "runtime/light/light_far.h"
 #include "runtime/light/lighting.h"
 
-static bool pass_gather_needed(const Render *render)
+static bool pass_gather_needed(const Renderer *renderer)
 {
-    return render->scene && light_far_used(render);
+    return renderer->scene && light_far_used(renderer);
 }
 
 /* Makes one of the programs. `texts` follow the common text, the pass's own last. */
-static bool make(Render *render, LightFarUse use, const char *const texts[3], ScreenPass *made)
+static bool make(Renderer *renderer, LightFarUse use, const char *const texts[3], ScreenPass *made)
 {
     char defined[LIGHT_FAR_DEFINITIONS];
-    light_far_define(render, use, defined);
+    light_far_define(renderer, use, defined);
     const LightingText text = {{defined, render_text_far_terms, render_text_far_blocks,
                                 render_text_far_group, texts[0], texts[1], texts[2]},
                                false,
                                LIGHT_FAR_BLOCK,
                                LIGHTING_nearest};
-    if (!lighting_make(render, &text, made))
+    if (!lighting_make(renderer, &text, made))
         return false;
-    light_far_set(render, made);
+    light_far_set(renderer, made);
     return true;
 }
 
-static bool pass_gather_make(Render *render)
+static bool pass_gather_make(Renderer *renderer)
 {
     static const char *const texts[][3] = {
         [LIGHT_FAR_groups] = {render_text_pass_groups},
         [LIGHT_FAR_near] = {render_text_far_lobe, render_text_far_light, render_text_pass_near},
         [LIGHT_FAR_gather] = {render_text_far_lobe, render_text_far_light,
                               render_text_pass_gather}};
-    FrameFar *far = &render->light->far;
-    if ((!render->light->table.texels && !lighting_lights(render)) ||
-        !make(render, LIGHT_FAR_groups, texts[LIGHT_FAR_groups], &far->groups) ||
-        !make(render, LIGHT_FAR_near, texts[LIGHT_FAR_near], &far->near) ||
-        !make(render, LIGHT_FAR_gather, texts[LIGHT_FAR_gather], &far->gather))
+    FrameFar *far = &renderer->light->far;
+    if ((!renderer->light->table.texels && !lighting_lights(renderer)) ||
+        !make(renderer, LIGHT_FAR_groups, texts[LIGHT_FAR_groups], &far->groups) ||
+        !make(renderer, LIGHT_FAR_near, texts[LIGHT_FAR_near], &far->near) ||
+        !make(renderer, LIGHT_FAR_gather, texts[LIGHT_FAR_gather], &far->gather))
         return false;
     far->near.layers = far->gather.layers = LIGHT_FAR_GROUPS;
-    return light_far_make(render);
+    return light_far_make(renderer);
 }
 
-static void pass_gather_draw(Render *render)
+static void pass_gather_draw(Renderer *renderer)
 {
-    lighting_bind(render, FRAME_TARGET_gbuffer, FRAME_TARGET_depth);
-    light_far_bind(render);
-    screen_pass_run(&render->light->far.groups, &render->targets.draws[FRAME_DRAW_light],
-                    &render->screen);
-    screen_pass_run(&render->light->far.near, &render->targets.draws[FRAME_DRAW_light],
-                    &render->screen);
-    screen_pass_run(&render->light->far.gather, &render->targets.draws[FRAME_DRAW_light],
-                    &render->screen);
+    lighting_bind(renderer, FRAME_TARGET_gbuffer, FRAME_TARGET_depth);
+    light_far_bind(renderer);
+    screen_pass_run(&renderer->light->far.groups, &renderer->targets.draws[FRAME_DRAW_light],
+                    &renderer->screen);
+    screen_pass_run(&renderer->light->far.near, &renderer->targets.draws[FRAME_DRAW_light],
+                    &renderer->screen);
+    screen_pass_run(&renderer->light->far.gather, &renderer->targets.draws[FRAME_DRAW_light],
+                    &renderer->screen);
 }
 
-static void pass_gather_place(Render *render)
+static void pass_gather_place(Renderer *renderer)
 {
-    lighting_place(render, &render->light->far.groups);
+    lighting_place(renderer, &renderer->light->far.groups);
 }
 
-static bool pass_gather_changed(Render *render, unsigned what)
+static bool pass_gather_changed(Renderer *renderer, unsigned what)
 {
-    FrameFar *far = &render->light->far;
-    return lighting_changed(render, what, &far->groups) &&
-           lighting_changed(render, what, &far->near) &&
-           lighting_changed(render, what, &far->gather);
+    FrameFar *far = &renderer->light->far;
+    return lighting_changed(renderer, what, &far->groups) &&
+           lighting_changed(renderer, what, &far->near) &&
+           lighting_changed(renderer, what, &far->gather);
 }
 
-static bool pass_gather_moved(Render *render, int first, int count)
+static bool pass_gather_moved(Renderer *renderer, int first, int count)
 {
     (void)first, (void)count;
-    lighting_moved(render, &render->light->far.groups);
-    lighting_moved(render, &render->light->far.near);
-    lighting_moved(render, &render->light->far.gather);
+    lighting_moved(renderer, &renderer->light->far.groups);
+    lighting_moved(renderer, &renderer->light->far.near);
+    lighting_moved(renderer, &renderer->light->far.gather);
     return true;
 }
 

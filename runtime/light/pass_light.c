@@ -5,64 +5,67 @@
 #include "runtime/light/light_far.h"
 #include "runtime/light/lighting.h"
 
-static bool pass_light_needed(const Render *render) { return render->scene != NULL; }
+static bool pass_light_needed(const Renderer *renderer) { return renderer->scene != NULL; }
 
-static bool make_far(Render *render)
+static bool make_far(Renderer *renderer)
 {
     char defined[LIGHT_FAR_DEFINITIONS];
-    light_far_define(render, LIGHT_FAR_light, defined);
+    light_far_define(renderer, LIGHT_FAR_light, defined);
     const LightingText text = {
         {defined, render_text_far_terms, render_text_far_blocks, render_text_pass_light_far},
         false,
         0,
         LIGHTING_nearest};
-    if (!lighting_make(render, &text, &render->light->pass))
+    if (!lighting_make(renderer, &text, &renderer->light->pass))
         return false;
-    light_far_set(render, &render->light->pass);
+    light_far_set(renderer, &renderer->light->pass);
     return true;
 }
 
-static bool pass_light_make(Render *render)
+static bool pass_light_make(Renderer *renderer)
 {
-    return light_far_used(render)
-               ? make_far(render)
-               : lighting_make(
-                     render,
-                     &(LightingText){{render_text_pass_light}, render->parted, 0, LIGHTING_nearest},
-                     &render->light->pass);
+    return light_far_used(renderer)
+               ? make_far(renderer)
+               : lighting_make(renderer,
+                               &(LightingText){
+                                   {render_text_pass_light}, renderer->parted, 0, LIGHTING_nearest},
+                               &renderer->light->pass);
 }
 
-static void pass_light_draw(Render *render)
+static void pass_light_draw(Renderer *renderer)
 {
     const LightingSource source = {FRAME_TARGET_gbuffer, FRAME_TARGET_depth, 0};
-    if (render->light->far.numbers)
-        light_far_bind_read(render);
-    if (render->parted) { /* runs over tiled lists add up */
-        framebuffer_use(render->gl, &render->targets.draws[FRAME_DRAW_light]);
-        render->gl->ClearBufferfv(GL_COLOR, 0, (const float[4]){0});
+    if (renderer->light->far.numbers)
+        light_far_bind_read(renderer);
+    if (renderer->parted) { /* runs over tiled lists add up */
+        framebuffer_use(renderer->gl, &renderer->targets.draws[FRAME_DRAW_light]);
+        renderer->gl->ClearBufferfv(GL_COLOR, 0, (const float[4]){0});
     }
-    lighting_run(render, &source, &render->light->pass);
+    lighting_run(renderer, &source, &renderer->light->pass);
 }
 
-static void pass_light_place(Render *render) { lighting_place(render, &render->light->pass); }
-static bool pass_light_changed(Render *render, unsigned what)
+static void pass_light_place(Renderer *renderer)
 {
-    return lighting_changed(render, what, &render->light->pass);
+    lighting_place(renderer, &renderer->light->pass);
+}
+static bool pass_light_changed(Renderer *renderer, unsigned what)
+{
+    return lighting_changed(renderer, what, &renderer->light->pass);
 }
 
-static bool pass_light_moved(Render *render, int first, int count)
+static bool pass_light_moved(Renderer *renderer, int first, int count)
 {
     (void)first, (void)count;
-    lighting_moved(render, &render->light->pass);
+    lighting_moved(renderer, &renderer->light->pass);
     return true;
 }
 
-static void pass_light_forget(Render *render)
+static void pass_light_forget(Renderer *renderer)
 {
-    frame_retire(render, &render->light->pass);
-    light_table_delete(render);
-    render->gl->DeleteTextures(1, &render->light->sky.map); /* GL ignores the name 0 */
-    render->light->sky = (SkyLight){0};
+    frame_retire(renderer, &renderer->light->pass);
+    light_table_delete(renderer);
+    renderer->gl->DeleteTextures(1, &renderer->light->sky.map); /* GL ignores the name 0 */
+    renderer->light->sky = (SkyLight){0};
 }
 
 const FramePass pass_light = {

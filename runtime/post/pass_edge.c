@@ -9,19 +9,20 @@
 
 enum { LINES_IN_ROW = 1024, GROUP = 64, DEPTH_UNIT = 0, LINES_UNIT };
 
-bool pass_edge_needed(const Render *render)
+bool pass_edge_needed(const Renderer *renderer)
 {
-    return render->scene && render->compute && render->options.edges == RENDER_EDGES_coverage &&
-           (!render->look || render->look->scene == FRAME_LOOK_faces);
+    return renderer->scene && renderer->compute &&
+           renderer->options.edges == RENDERER_EDGES_coverage &&
+           (!renderer->look || renderer->look->scene == FRAME_LOOK_faces);
 }
 
-const char *pass_edge_lacks(const Render *render)
+const char *pass_edge_lacks(const Renderer *renderer)
 {
-    const bool asked = render->options.edges == RENDER_EDGES_coverage;
-    if (!asked || render->compute)
+    const bool asked = renderer->options.edges == RENDERER_EDGES_coverage;
+    if (!asked || renderer->compute)
         return NULL;
-    return render->options.fragment ? "it takes compute, which is off"
-                                    : "it takes compute, which the driver lacks";
+    return renderer->options.fragment ? "it takes compute, which is off"
+                                      : "it takes compute, which the driver lacks";
 }
 
 /* Returns the lines padded to full texture rows. */
@@ -33,94 +34,95 @@ static float *texels_of(const EdgeList *list, int rows)
     return floats;
 }
 
-static bool make_lines(Render *render)
+static bool make_lines(Renderer *renderer)
 {
     EdgeList list;
-    GlContext *gl = render->gl;
-    if (!edge_list_make(render->scene, &render->space, render->whole, &list))
+    GlContext *gl = renderer->gl;
+    if (!edge_list_make(renderer->scene, &renderer->space, renderer->whole, &list))
         return gl_fail(gl, "out of memory");
     const int rows = list.count ? (list.count + LINES_IN_ROW - 1) / LINES_IN_ROW : 1;
     float *floats = texels_of(&list, rows);
     const TextureSpec spec = {
         .width = LINES_IN_ROW * EDGE_LIST_TEXELS, .height = rows, .lanes = 4, .floats = floats};
     gl->ActiveTexture(GL_TEXTURE0 + LINES_UNIT); /* texture_make binds the new texture */
-    render->picture->edge.lines = floats && texture_check(gl, &spec) ? texture_make(gl, &spec) : 0;
-    render->picture->edge.count = list.count;
+    renderer->picture->edge.lines =
+        floats && texture_check(gl, &spec) ? texture_make(gl, &spec) : 0;
+    renderer->picture->edge.count = list.count;
     edge_list_free(&list);
     free(floats);
-    return render->picture->edge.lines || (floats ? false : gl_fail(gl, "out of memory"));
+    return renderer->picture->edge.lines || (floats ? false : gl_fail(gl, "out of memory"));
 }
 
-static void pass_edge_place(Render *render)
+static void pass_edge_place(Renderer *renderer)
 {
-    const float corner[4] = {(float)render->at[0], (float)render->at[1], (float)render->whole[0],
-                             (float)render->whole[1]};
-    if (render->picture->edge.material.store)
-        material_set(&render->picture->edge.material, &(MaterialValue){"edge_corner", 4, corner});
+    const float corner[4] = {(float)renderer->at[0], (float)renderer->at[1],
+                             (float)renderer->whole[0], (float)renderer->whole[1]};
+    if (renderer->picture->edge.material.store)
+        material_set(&renderer->picture->edge.material, &(MaterialValue){"edge_corner", 4, corner});
 }
 
-static bool pass_edge_change(Render *render)
+static bool pass_edge_change(Renderer *renderer)
 {
-    if (!render->picture->edge.material.store)
+    if (!renderer->picture->edge.material.store)
         return true;
-    render->gl->DeleteTextures(1, &render->picture->edge.lines);
-    if (!make_lines(render))
+    renderer->gl->DeleteTextures(1, &renderer->picture->edge.lines);
+    if (!make_lines(renderer))
         return false;
-    material_set_number(&render->picture->edge.material, "edge_count",
-                        (float)render->picture->edge.count);
+    material_set_number(&renderer->picture->edge.material, "edge_count",
+                        (float)renderer->picture->edge.count);
     return true;
 }
 
-static bool pass_edge_make(Render *render)
+static bool pass_edge_make(Renderer *renderer)
 {
-    const bool newest = render->gl->major * 10 + render->gl->minor >= 45;
+    const bool newest = renderer->gl->major * 10 + renderer->gl->minor >= 45;
     const ProgramText text = {
         .compute = {newest ? "#version 450 core\n" : "#version 430 core\n", render_text_pass_edge}};
-    if (!make_lines(render) ||
-        !material_make(render->store, NULL, &text, &render->picture->edge.material))
+    if (!make_lines(renderer) ||
+        !material_make(renderer->store, NULL, &text, &renderer->picture->edge.material))
         return false;
-    material_set_number(&render->picture->edge.material, "edge_count",
-                        (float)render->picture->edge.count);
-    material_set_number(&render->picture->edge.material, "edge_depth", DEPTH_UNIT);
-    material_set_number(&render->picture->edge.material, "edge_lines", LINES_UNIT);
-    pass_edge_place(render);
+    material_set_number(&renderer->picture->edge.material, "edge_count",
+                        (float)renderer->picture->edge.count);
+    material_set_number(&renderer->picture->edge.material, "edge_depth", DEPTH_UNIT);
+    material_set_number(&renderer->picture->edge.material, "edge_lines", LINES_UNIT);
+    pass_edge_place(renderer);
     return true;
 }
 
-static void pass_edge_draw(Render *render)
+static void pass_edge_draw(Renderer *renderer)
 {
     static const GLuint none[4];
-    GlContext *gl = render->gl;
-    frame_use(render, &render->targets.draws[FRAME_DRAW_edge]);
+    GlContext *gl = renderer->gl;
+    frame_use(renderer, &renderer->targets.draws[FRAME_DRAW_edge]);
     gl->ClearBufferuiv(GL_COLOR, 0, none);
-    if (!render->picture->edge.count)
+    if (!renderer->picture->edge.count)
         return;
-    texture_bind(gl, frame_texture(render, FRAME_TARGET_depth, 0), DEPTH_UNIT);
-    texture_bind(gl, render->picture->edge.lines, LINES_UNIT);
-    material_use(&render->picture->edge.material);
-    gl->BindImageTexture(0, frame_texture(render, FRAME_TARGET_edge, 0), 0, GL_FALSE, 0,
+    texture_bind(gl, frame_texture(renderer, FRAME_TARGET_depth, 0), DEPTH_UNIT);
+    texture_bind(gl, renderer->picture->edge.lines, LINES_UNIT);
+    material_use(&renderer->picture->edge.material);
+    gl->BindImageTexture(0, frame_texture(renderer, FRAME_TARGET_edge, 0), 0, GL_FALSE, 0,
                          GL_READ_WRITE, GL_R32UI);
-    gl->DispatchCompute(((GLuint)render->picture->edge.count + GROUP - 1) / GROUP, 1, 1);
+    gl->DispatchCompute(((GLuint)renderer->picture->edge.count + GROUP - 1) / GROUP, 1, 1);
     gl->MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
 }
 
-static void pass_edge_delete(Render *render)
+static void pass_edge_delete(Renderer *renderer)
 {
-    if (render->picture->edge.material.store)
-        material_delete(&render->picture->edge.material);
-    render->gl->DeleteTextures(1, &render->picture->edge.lines); /* GL ignores the name 0 */
-    render->picture->edge = (FrameEdge){0};
+    if (renderer->picture->edge.material.store)
+        material_delete(&renderer->picture->edge.material);
+    renderer->gl->DeleteTextures(1, &renderer->picture->edge.lines); /* GL ignores the name 0 */
+    renderer->picture->edge = (FrameEdge){0};
 }
 
-static bool pass_edge_changed(Render *render, unsigned what)
+static bool pass_edge_changed(Renderer *renderer, unsigned what)
 {
-    return !(what & RENDER_CAMERA) || pass_edge_change(render);
+    return !(what & RENDERER_CAMERA) || pass_edge_change(renderer);
 }
 
-static bool pass_edge_moved(Render *render, int first, int count)
+static bool pass_edge_moved(Renderer *renderer, int first, int count)
 {
     (void)first, (void)count;
-    return pass_edge_change(render);
+    return pass_edge_change(renderer);
 }
 
 const FramePass pass_edge = {

@@ -3,7 +3,7 @@
  * separate target, attenuated by the same transparent surfaces, and are added by the tone pass.
  * The GLSL is tools_vertex.glsl and tools_fragment.glsl. */
 #include "gen/render_text.h"
-#include "runtime/frame/surface_draw.h"
+#include "runtime/frame_graph/surface_draw.h"
 #include "runtime/post/post.h"
 #include "runtime/shadow/shadow_method.h"
 #include "runtime/post/tool_lines.h"
@@ -11,54 +11,54 @@
 #include <stdint.h>
 #include <string.h>
 
-static bool pass_tools_needed(const Render *render)
+static bool pass_tools_needed(const Renderer *renderer)
 {
-    const char *view = render->options.view;
-    const SceneTools *tools = render->scene ? &render->scene->tools : NULL;
-    if (render->scene && frame_look_has_shadows(render))
+    const char *view = renderer->options.view;
+    const SceneTools *tools = renderer->scene ? &renderer->scene->tools : NULL;
+    if (renderer->scene && frame_look_has_shadows(renderer))
         return true;
-    return tools && (tools->grid || tools->axes || tools->lights) && !render->options.linear &&
+    return tools && (tools->grid || tools->axes || tools->lights) && !renderer->options.linear &&
            (!view || !strcmp(view, "shown"));
 }
 
-bool pass_tools_are_there(const Render *render)
+bool pass_tools_are_there(const Renderer *renderer)
 {
-    return render->targets.plan.there >> FRAME_TARGET_tools & 1;
+    return renderer->targets.plan.there >> FRAME_TARGET_tools & 1;
 }
 
-static void set(Render *render, const char *name, const float values[4])
+static void set(Renderer *renderer, const char *name, const float values[4])
 {
-    material_set(&render->picture->tools.material, &(MaterialValue){name, 4, values});
+    material_set(&renderer->picture->tools.material, &(MaterialValue){name, 4, values});
 }
 
-static void pass_tools_place(Render *render)
+static void pass_tools_place(Renderer *renderer)
 {
-    if (render->picture->tools.material.store)
-        set(render, "tools_ray", render->space.ray);
+    if (renderer->picture->tools.material.store)
+        set(renderer, "tools_ray", renderer->space.ray);
 }
 
 /* Sets the world's plane z = 0 in view space as dot(n, p) = c: n is the world's z axis, c the
  * origin's offset along n. */
-static void set_ground(Render *render)
+static void set_ground(Renderer *renderer)
 {
-    const double *e = render->space.eye_from_world, *n = e + 8;
-    const double along = n[0] * e[12] + n[1] * e[13] + n[2] * e[14] - render->scene->origin[2];
-    set(render, "tools_ground", (float[]){(float)n[0], (float)n[1], (float)n[2], (float)along});
+    const double *e = renderer->space.eye_from_world, *n = e + 8;
+    const double along = n[0] * e[12] + n[1] * e[13] + n[2] * e[14] - renderer->scene->origin[2];
+    set(renderer, "tools_ground", (float[]){(float)n[0], (float)n[1], (float)n[2], (float)along});
 }
 
-static bool make_vertices(Render *render)
+static bool make_vertices(Renderer *renderer)
 {
-    const GlContext *gl = render->gl;
+    const GlContext *gl = renderer->gl;
     ToolLines lines;
-    if (!tool_lines_make(render->scene, &render->space, &lines))
-        return gl_fail(render->gl, "out of memory");
-    render->picture->tools.count = lines.count;
-    if (!render->picture->tools.array) {
-        gl->GenVertexArrays(1, &render->picture->tools.array);
-        gl->GenBuffers(1, &render->picture->tools.buffer);
+    if (!tool_lines_make(renderer->scene, &renderer->space, &lines))
+        return gl_fail(renderer->gl, "out of memory");
+    renderer->picture->tools.count = lines.count;
+    if (!renderer->picture->tools.array) {
+        gl->GenVertexArrays(1, &renderer->picture->tools.array);
+        gl->GenBuffers(1, &renderer->picture->tools.buffer);
     }
-    gl->BindVertexArray(render->picture->tools.array);
-    gl->BindBuffer(GL_ARRAY_BUFFER, render->picture->tools.buffer);
+    gl->BindVertexArray(renderer->picture->tools.array);
+    gl->BindBuffer(GL_ARRAY_BUFFER, renderer->picture->tools.buffer);
     gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)lines.count * (GLsizeiptr)sizeof *lines.vertices,
                    lines.vertices, GL_DYNAMIC_DRAW);
     for (GLuint i = 0; i < 2; i++) {
@@ -70,99 +70,99 @@ static bool make_vertices(Render *render)
     gl->BindVertexArray(0);
     gl->BindBuffer(GL_ARRAY_BUFFER, 0);
     tool_lines_free(&lines);
-    return gl_check(render->gl, "making lines of tools");
+    return gl_check(renderer->gl, "making lines of tools");
 }
 
-static bool pass_tools_change(Render *render)
+static bool pass_tools_change(Renderer *renderer)
 {
-    const float *m = render->space.spaces.clip_from_eye.m;
-    if (!render->picture->tools.material.store)
+    const float *m = renderer->space.spaces.clip_from_eye.m;
+    if (!renderer->picture->tools.material.store)
         return true;
-    set(render, "tools_clip", (float[]){m[0], m[5], m[10], m[14]});
-    set(render, "tools_w", (float[]){m[11], m[15], 0, 0});
-    set(render, "tools_view", render->space.depth);
-    set_ground(render);
-    pass_tools_place(render);
-    return make_vertices(render);
+    set(renderer, "tools_clip", (float[]){m[0], m[5], m[10], m[14]});
+    set(renderer, "tools_w", (float[]){m[11], m[15], 0, 0});
+    set(renderer, "tools_view", renderer->space.depth);
+    set_ground(renderer);
+    pass_tools_place(renderer);
+    return make_vertices(renderer);
 }
 
 /* Makes two framebuffers: light and colors with depth for the lines, and colors only for
  * transparent surfaces in front. */
-static bool make_targets(Render *render)
+static bool make_targets(Renderer *renderer)
 {
-    const char *format = frame_format(render, FRAME_TARGET_tools, 0);
-    const GLuint light = frame_texture(render, FRAME_TARGET_light, 0),
-                 shown = frame_texture(render, FRAME_TARGET_tools, 0);
-    const FramebufferSpec both = {render->size[0], render->size[1], 2, 0, true},
+    const char *format = frame_format(renderer, FRAME_TARGET_tools, 0);
+    const GLuint light = frame_texture(renderer, FRAME_TARGET_light, 0),
+                 shown = frame_texture(renderer, FRAME_TARGET_tools, 0);
+    const FramebufferSpec both = {renderer->size[0], renderer->size[1], 2, 0, true},
                           alone = {both.width, both.height, 1, 0, false};
     const FramebufferTextures lines = {.colors = {light, shown},
-                                       .depth = frame_texture(render, FRAME_TARGET_depth, 0),
+                                       .depth = frame_texture(renderer, FRAME_TARGET_depth, 0),
                                        .formats = {format, format}},
                               veil = {.colors = {shown}, .formats = {format}};
-    return framebuffer_make_around(render->gl, &both, &lines, &render->picture->tools.lines) &&
-           framebuffer_make_around(render->gl, &alone, &veil, &render->picture->tools.colors);
+    return framebuffer_make_around(renderer->gl, &both, &lines, &renderer->picture->tools.lines) &&
+           framebuffer_make_around(renderer->gl, &alone, &veil, &renderer->picture->tools.colors);
 }
 
-static bool pass_tools_make(Render *render)
+static bool pass_tools_make(Renderer *renderer)
 {
-    const bool modern = render->gl->major * 10 + render->gl->minor >= 45;
+    const bool modern = renderer->gl->major * 10 + renderer->gl->minor >= 45;
     const char *head = modern ? "#version 450 core\n" : "#version 330 core\n";
     const ProgramText text = {.vertex = {head, render_text_tools_vertex},
                               .fragment = {head, render_text_tools_fragment}};
-    return make_targets(render) &&
-           material_make(render->store, NULL, &text, &render->picture->tools.material) &&
-           pass_tools_change(render) && shadow_methods_look_make(render);
+    return make_targets(renderer) &&
+           material_make(renderer->store, NULL, &text, &renderer->picture->tools.material) &&
+           pass_tools_change(renderer) && shadow_methods_look_make(renderer);
 }
 
-static void pass_tools_draw(Render *render)
+static void pass_tools_draw(Renderer *renderer)
 {
     static const float none[4];
-    const GlContext *gl = render->gl;
-    surface_draw_begin(render, &render->picture->tools.lines, GL_GREATER);
+    const GlContext *gl = renderer->gl;
+    surface_draw_begin(renderer, &renderer->picture->tools.lines, GL_GREATER);
     gl->ClearBufferfv(GL_COLOR, 1, none);
-    material_use(&render->picture->tools.material);
-    gl->BindVertexArray(render->picture->tools.array);
-    gl->DrawArrays(GL_LINES, 0, render->picture->tools.count);
+    material_use(&renderer->picture->tools.material);
+    gl->BindVertexArray(renderer->picture->tools.array);
+    gl->DrawArrays(GL_LINES, 0, renderer->picture->tools.count);
     gl->BindVertexArray(0);
-    shadow_methods_look_draw(render);
-    surface_draw_end(render);
+    shadow_methods_look_draw(renderer);
+    surface_draw_end(renderer);
 }
 
-bool pass_tools_make_veil(Render *render, const LightingText *text)
+bool pass_tools_make_veil(Renderer *renderer, const LightingText *text)
 {
-    return !pass_tools_are_there(render) ||
-           lighting_make(render, text, &render->picture->tools.veil);
+    return !pass_tools_are_there(renderer) ||
+           lighting_make(renderer, text, &renderer->picture->tools.veil);
 }
 
-void pass_tools_draw_veil(Render *render)
+void pass_tools_draw_veil(Renderer *renderer)
 {
-    if (pass_tools_are_there(render))
-        screen_pass_run(&render->picture->tools.veil, &render->picture->tools.colors,
-                        &render->screen);
+    if (pass_tools_are_there(renderer))
+        screen_pass_run(&renderer->picture->tools.veil, &renderer->picture->tools.colors,
+                        &renderer->screen);
 }
 
-static void pass_tools_delete(Render *render)
+static void pass_tools_delete(Renderer *renderer)
 {
-    const GlContext *gl = render->gl;
-    material_delete(&render->picture->tools.material);
-    screen_pass_delete(&render->picture->tools.veil);
-    framebuffer_delete(gl, &render->picture->tools.lines);
-    framebuffer_delete(gl, &render->picture->tools.colors);
-    gl->DeleteVertexArrays(1, &render->picture->tools.array); /* GL ignores the name 0 */
-    gl->DeleteBuffers(1, &render->picture->tools.buffer);
-    render->picture->tools = (FrameTools){0};
+    const GlContext *gl = renderer->gl;
+    material_delete(&renderer->picture->tools.material);
+    screen_pass_delete(&renderer->picture->tools.veil);
+    framebuffer_delete(gl, &renderer->picture->tools.lines);
+    framebuffer_delete(gl, &renderer->picture->tools.colors);
+    gl->DeleteVertexArrays(1, &renderer->picture->tools.array); /* GL ignores the name 0 */
+    gl->DeleteBuffers(1, &renderer->picture->tools.buffer);
+    renderer->picture->tools = (FrameTools){0};
 }
 
-static void pass_tools_place_all(Render *render)
+static void pass_tools_place_all(Renderer *renderer)
 {
-    pass_tools_place(render);
-    shadow_methods_look_place(render);
+    pass_tools_place(renderer);
+    shadow_methods_look_place(renderer);
 }
 
-static bool pass_tools_changed(Render *render, unsigned what)
+static bool pass_tools_changed(Renderer *renderer, unsigned what)
 {
-    shadow_methods_look_place(render);
-    return !(what & (RENDER_CAMERA | RENDER_LIGHTS)) || pass_tools_change(render);
+    shadow_methods_look_place(renderer);
+    return !(what & (RENDERER_CAMERA | RENDERER_LIGHTS)) || pass_tools_change(renderer);
 }
 
 const FramePass pass_tools = {

@@ -1,7 +1,7 @@
 /* State of the passes in runtime/post. */
 #ifndef MATC_POST_POST_STATE_H
 #define MATC_POST_POST_STATE_H
-#include "runtime/frame/frame.h"
+#include "runtime/frame_graph/frame.h"
 #include "runtime/gpu_material/measure.h"
 #include "runtime/gpu_material/screen_pass.h"
 #include "runtime/gl/framebuffer.h"

@@ -53,7 +53,7 @@ typedef struct {
     bool adapts;
     const char *name; /* preceded by those of its groups, "lamps/bulb"; NULL: no name */
     bool removed;     /* by the host: hidden for good, and the slot may be reused */
-    /* Neither drawn nor casting shadows; after a change call render_changed_meshes(). */
+    /* Neither drawn nor casting shadows; after a change call renderer_changed_meshes(). */
     bool hidden;
     SceneMatrix world_from_local;
 } SceneObject;

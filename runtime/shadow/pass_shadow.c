@@ -1,7 +1,7 @@
 /* The pass shadow: draws depth maps from the lights. The maps are kept until the scene changes;
  * further frames reuse them. shadow.glsl reads them. */
 #include "gen/render_text.h"
-#include "runtime/frame/frame.h"
+#include "runtime/frame_graph/frame.h"
 #include "runtime/scene/scene_area.h"
 #include "runtime/shadow/shadow.h"
 #include "runtime/shadow/shadow_method.h"
@@ -10,10 +10,10 @@ enum { SHADOW_MAPS_MIB = 4096 };
 
 /* Limits the memory: some drivers overcommit, and terminate the program when the memory is
  * written. */
-static bool check_maps(const Render *render)
+static bool check_maps(const Renderer *renderer)
 {
-    GlContext *gl = render->gl;
-    const int size = render->scene->shadow_size, count = render->shadows->views.count;
+    GlContext *gl = renderer->gl;
+    const int size = renderer->scene->shadow_size, count = renderer->shadows->views.count;
     const int64_t mib = (int64_t)count * size * size * (int64_t)sizeof(float) >> 20;
     GLint most = 0;
     gl->GetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &most);
@@ -25,12 +25,12 @@ static bool check_maps(const Render *render)
                    size, (int)mib, SHADOW_MAPS_MIB);
 }
 
-static bool make_maps(Render *render)
+static bool make_maps(Renderer *renderer)
 {
-    GlContext *gl = render->gl;
-    ShadowMaps *maps = render->shadows;
-    const int size = render->scene->shadow_size, count = maps->views.count;
-    if (!check_maps(render))
+    GlContext *gl = renderer->gl;
+    ShadowMaps *maps = renderer->shadows;
+    const int size = renderer->scene->shadow_size, count = maps->views.count;
+    if (!check_maps(renderer))
         return false;
     gl->GenTextures(1, &maps->maps);
     gl->BindTexture(GL_TEXTURE_2D_ARRAY, maps->maps);
@@ -43,99 +43,99 @@ static bool make_maps(Render *render)
     return gl_check(gl, "making shadow maps");
 }
 
-static bool make_solid(Render *render)
+static bool make_solid(Renderer *renderer)
 {
-    ShadowMaps *maps = render->shadows;
-    const bool instances = render->gpu_scene.instances,
-               modern = render->gl->major * 10 + render->gl->minor >= 45;
+    ShadowMaps *maps = renderer->shadows;
+    const bool instances = renderer->gpu_scene.instances,
+               modern = renderer->gl->major * 10 + renderer->gl->minor >= 45;
     const char *head = modern ? "#version 450 core\n" : "#version 330 core\n";
     const ProgramText text = {
         .vertex = {head, instances ? "#define INSTANCES\n" : "", render_text_shadow_depth},
         .fragment = {head, "void main() {}\n"}};
-    return maps->solid.store || material_make(render->store, NULL, &text, &maps->solid);
+    return maps->solid.store || material_make(renderer->store, NULL, &text, &maps->solid);
 }
 
 /* Draws the depth maps, and allocates their lists of transparent fragments. */
-static bool pass_shadow_count(Render *render)
+static bool pass_shadow_count(Renderer *renderer)
 {
-    if (!shadow_glass_needed(render) || !render->shadows->maps || render->shadows->drawn)
+    if (!shadow_glass_needed(renderer) || !renderer->shadows->maps || renderer->shadows->drawn)
         return true;
-    shadow_draw_depths(render);
-    render->shadows->drawn = shadow_parts_count(render);
-    return render->shadows->drawn;
+    shadow_draw_depths(renderer);
+    renderer->shadows->drawn = shadow_parts_count(renderer);
+    return renderer->shadows->drawn;
 }
 
-static bool pass_shadow_make(Render *render)
+static bool pass_shadow_make(Renderer *renderer)
 {
-    bool fine = make_maps(render) && make_solid(render);
-    for (const ShadowMethod *const *row = shadow_methods_of(render); *row; row++)
-        fine = fine && (!(*row)->make_maps || (*row)->make_maps(render));
-    return fine && shadow_parts_make(render) && pass_shadow_count(render);
+    bool fine = make_maps(renderer) && make_solid(renderer);
+    for (const ShadowMethod *const *row = shadow_methods_of(renderer); *row; row++)
+        fine = fine && (!(*row)->make_maps || (*row)->make_maps(renderer));
+    return fine && shadow_parts_make(renderer) && pass_shadow_count(renderer);
 }
 
-static void pass_shadow_draw(Render *render)
+static void pass_shadow_draw(Renderer *renderer)
 {
-    if (render->shadows->drawn)
+    if (renderer->shadows->drawn)
         return;
-    shadow_draw_depths(render);
-    if (shadow_glass_needed(render) && !render->parted)
-        shadow_draw_lists(render, render->shadows->glass.parts);
-    render->shadows->drawn = true;
+    shadow_draw_depths(renderer);
+    if (shadow_glass_needed(renderer) && !renderer->parted)
+        shadow_draw_lists(renderer, renderer->shadows->glass.parts);
+    renderer->shadows->drawn = true;
 }
 
-static void pass_shadow_forget(Render *render)
+static void pass_shadow_forget(Renderer *renderer)
 {
-    const GlContext *gl = render->gl;
-    ShadowMaps *maps = render->shadows;
-    for (const ShadowMethod *const *row = shadow_methods_of(render); *row; row++)
+    const GlContext *gl = renderer->gl;
+    ShadowMaps *maps = renderer->shadows;
+    for (const ShadowMethod *const *row = shadow_methods_of(renderer); *row; row++)
         if ((*row)->forget)
-            (*row)->forget(render);
+            (*row)->forget(renderer);
     gl->DeleteFramebuffers(1, &maps->framebuffer); /* GL ignores the name 0 */
     gl->DeleteTextures(1, &maps->maps);
     gl->DeleteTextures(1, &maps->table);
     gl->DeleteTextures(1, &maps->planes);
     shadow_views_free(&maps->views);
-    shadow_glass_delete(render);
-    shadow_sheet_delete(render);
+    shadow_glass_delete(renderer);
+    shadow_sheet_delete(renderer);
     *maps = (ShadowMaps){.solid = maps->solid, .methods = maps->methods};
 }
 
 /* -- the pass's row, which also updates the techniques' state */
 
-static void pass_shadow_place(Render *render)
+static void pass_shadow_place(Renderer *renderer)
 {
-    render->shadows->seen = false;
-    shadow_sheet_place(render);
+    renderer->shadows->seen = false;
+    shadow_sheet_place(renderer);
 }
 
-static bool pass_shadow_changed(Render *render, unsigned what)
+static bool pass_shadow_changed(Renderer *renderer, unsigned what)
 {
-    const bool fitted = what & RENDER_CAMERA &&
-                        (render->scene->shadow_cascades > 1 || scene_area_cuts(render->scene));
-    if (what & (RENDER_TIME | FRAME_SHAPES)) /* alpha-tested casters may have changed */
-        render->shadows->drawn = false;
-    if (what & RENDER_CAMERA)
-        render->shadows->seen = false;
-    bool fine = shadow_change(render, fitted || what & RENDER_LIGHTS);
-    for (const ShadowMethod *const *row = shadow_methods_of(render); *row; row++)
-        fine = fine && (!(*row)->changed || (*row)->changed(render, what));
+    const bool fitted = what & RENDERER_CAMERA &&
+                        (renderer->scene->shadow_cascades > 1 || scene_area_cuts(renderer->scene));
+    if (what & (RENDERER_TIME | FRAME_SHAPES)) /* alpha-tested casters may have changed */
+        renderer->shadows->drawn = false;
+    if (what & RENDERER_CAMERA)
+        renderer->shadows->seen = false;
+    bool fine = shadow_change(renderer, fitted || what & RENDERER_LIGHTS);
+    for (const ShadowMethod *const *row = shadow_methods_of(renderer); *row; row++)
+        fine = fine && (!(*row)->changed || (*row)->changed(renderer, what));
     return fine;
 }
 
-static bool pass_shadow_moved(Render *render, int first, int count)
+static bool pass_shadow_moved(Renderer *renderer, int first, int count)
 {
-    bool fine = shadow_change(render, true);
-    render->shadows->seen = false;
-    for (const ShadowMethod *const *row = shadow_methods_of(render); *row; row++)
-        fine = fine && (!(*row)->moved || (*row)->moved(render, first, count));
+    bool fine = shadow_change(renderer, true);
+    renderer->shadows->seen = false;
+    for (const ShadowMethod *const *row = shadow_methods_of(renderer); *row; row++)
+        fine = fine && (!(*row)->moved || (*row)->moved(renderer, first, count));
     return fine;
 }
 
-static bool pass_shadow_fall_back(Render *render)
+static bool pass_shadow_fall_back(Renderer *renderer)
 {
-    if (!shadow_parts_fall_back(render))
+    if (!shadow_parts_fall_back(renderer))
         return false;
-    render->parted = true;
+    renderer->parted = true;
     return true;
 }
 

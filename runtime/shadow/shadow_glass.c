@@ -1,21 +1,21 @@
 /* Lists of transparent fragments, for each texel of the shadow maps: the buffer.
  * glass_store.glsl fills it, shadow.glsl reads it. */
 #include "gen/shadow_glass_layout.h"
-#include "runtime/frame/frame.h"
+#include "runtime/frame_graph/frame.h"
 #include "runtime/shadow/shadow.h"
 #include <stdlib.h>
 
 enum { NODE = 4 /* words of a node */ };
 
-bool shadow_glass_needed(const Render *render)
+bool shadow_glass_needed(const Renderer *renderer)
 {
-    return render->gpu_scene.caster_count && render->set.uses.casts == SET_CASTS_colored;
+    return renderer->gpu_scene.caster_count && renderer->set.uses.casts == SET_CASTS_colored;
 }
 
-ShadowPart shadow_glass_whole(const Render *render)
+ShadowPart shadow_glass_whole(const Renderer *renderer)
 {
-    const GLuint size = (GLuint)render->scene->shadow_size;
-    return (ShadowPart){.columns = size, .rows = size * (GLuint)render->shadows->views.count};
+    const GLuint size = (GLuint)renderer->scene->shadow_size;
+    return (ShadowPart){.columns = size, .rows = size * (GLuint)renderer->shadows->views.count};
 }
 
 static size_t texels_of(const ShadowPart *part) { return (size_t)part->columns * part->rows; }
@@ -26,10 +26,10 @@ size_t shadow_glass_bytes(const ShadowPart *part)
            (SHADOW_GLASS_STATE_WORDS + texels_of(part) + NODE * (size_t)part->fragments);
 }
 
-bool shadow_glass_make(Render *render, size_t bytes)
+bool shadow_glass_make(Renderer *renderer, size_t bytes)
 {
-    const GlContext *gl = render->gl;
-    ShadowGlass *glass = &render->shadows->glass;
+    const GlContext *gl = renderer->gl;
+    ShadowGlass *glass = &renderer->shadows->glass;
     glass->bytes = bytes > sizeof(GLuint) * SHADOW_GLASS_STATE_WORDS
                        ? bytes
                        : sizeof(GLuint) * SHADOW_GLASS_STATE_WORDS;
@@ -37,7 +37,7 @@ bool shadow_glass_make(Render *render, size_t bytes)
         gl->GenBuffers(1, &glass->buffer);
     gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, glass->buffer);
     gl->BufferData(GL_SHADER_STORAGE_BUFFER, (GLsizeiptr)glass->bytes, NULL, GL_DYNAMIC_COPY);
-    return gl_check(render->gl, "making room for shadows of what is transparent");
+    return gl_check(renderer->gl, "making room for shadows of what is transparent");
 }
 
 /* Writes four words by a clear, which a frame may do without a transfer. */
@@ -47,11 +47,11 @@ static void write_words(const GlContext *gl, GLuint first, const GLuint words[4]
                            4 * sizeof *words, GL_RGBA_INTEGER, GL_UNSIGNED_INT, words);
 }
 
-void shadow_glass_begin(const Render *render, const ShadowPart *part)
+void shadow_glass_begin(const Renderer *renderer, const ShadowPart *part)
 {
-    const GlContext *gl = render->gl;
-    const ShadowGlass *glass = &render->shadows->glass;
-    const GLuint size = (GLuint)render->scene->shadow_size;
+    const GlContext *gl = renderer->gl;
+    const ShadowGlass *glass = &renderer->shadows->glass;
+    const GLuint size = (GLuint)renderer->scene->shadow_size;
     const size_t start = sizeof(GLuint) * SHADOW_GLASS_STATE_WORDS,
                  all = sizeof(GLuint) * texels_of(part);
     const bool counts = glass->bytes < start + all; /* no capacity for lists yet: only counts */
@@ -65,23 +65,23 @@ void shadow_glass_begin(const Render *render, const ShadowPart *part)
                                GL_RED_INTEGER, GL_UNSIGNED_INT, NULL);
 }
 
-void shadow_glass_end(const Render *render)
+void shadow_glass_end(const Renderer *renderer)
 {
-    render->gl->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+    renderer->gl->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
 }
 
-bool shadow_glass_count(Render *render, GLuint *count)
+bool shadow_glass_count(Renderer *renderer, GLuint *count)
 {
-    const GlContext *gl = render->gl;
-    gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, render->shadows->glass.buffer);
+    const GlContext *gl = renderer->gl;
+    gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, renderer->shadows->glass.buffer);
     gl->GetBufferSubData(GL_SHADER_STORAGE_BUFFER, SHADOW_GLASS_COUNT * sizeof(GLuint),
                          sizeof *count, count);
-    return gl_check(render->gl, "counting what is transparent in shadow maps");
+    return gl_check(renderer->gl, "counting what is transparent in shadow maps");
 }
 
-void shadow_glass_delete(Render *render)
+void shadow_glass_delete(Renderer *renderer)
 {
-    render->gl->DeleteBuffers(1, &render->shadows->glass.buffer); /* GL ignores the name 0 */
-    free(render->shadows->glass.parts);
-    render->shadows->glass = (ShadowGlass){0};
+    renderer->gl->DeleteBuffers(1, &renderer->shadows->glass.buffer); /* GL ignores the name 0 */
+    free(renderer->shadows->glass.parts);
+    renderer->shadows->glass = (ShadowGlass){0};
 }

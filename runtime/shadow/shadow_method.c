@@ -1,41 +1,41 @@
 /* The rows of shadow techniques in a renderer: their states, and their combined needs. */
 #include "runtime/shadow/shadow_method.h"
-#include "runtime/frame/frame.h"
+#include "runtime/frame_graph/frame.h"
 #include "runtime/shadow/soft_views.h"
 #include <stdlib.h>
 #include <string.h>
 
-bool shadow_methods_open(Render *render, const ShadowMethod *const *methods)
+bool shadow_methods_open(Renderer *renderer, const ShadowMethod *const *methods)
 {
     bool fine = true;
-    render->shadows->methods.rows = methods;
+    renderer->shadows->methods.rows = methods;
     for (int i = 0; fine && methods[i]; i++) {
-        render->shadows->methods.states[i] = calloc(1, methods[i]->state + 1);
-        fine = render->shadows->methods.states[i] || gl_fail(render->gl, "out of memory");
+        renderer->shadows->methods.states[i] = calloc(1, methods[i]->state + 1);
+        fine = renderer->shadows->methods.states[i] || gl_fail(renderer->gl, "out of memory");
     }
     return fine;
 }
 
-void shadow_methods_close(Render *render)
+void shadow_methods_close(Renderer *renderer)
 {
-    for (const ShadowMethod *const *row = shadow_methods_of(render); *row; row++)
-        if (render->store && (*row)->close)
-            (*row)->close(render);
+    for (const ShadowMethod *const *row = shadow_methods_of(renderer); *row; row++)
+        if (renderer->store && (*row)->close)
+            (*row)->close(renderer);
     for (int i = 0; i < SHADOW_METHODS_MAX; i++)
-        free(render->shadows->methods.states[i]);
+        free(renderer->shadows->methods.states[i]);
 }
 
-int shadow_method_number(const Render *render, Word word)
+int shadow_method_number(const Renderer *renderer, Word word)
 {
     int i = 0;
-    while (render->shadows->methods.rows[i]->word != word)
+    while (renderer->shadows->methods.rows[i]->word != word)
         i++;
     return i + 1;
 }
 
-void *shadow_method_state(const Render *render, Word word)
+void *shadow_method_state(const Renderer *renderer, Word word)
 {
-    return render->shadows->methods.states[shadow_method_number(render, word) - 1];
+    return renderer->shadows->methods.states[shadow_method_number(renderer, word) - 1];
 }
 
 const ShadowMethod *shadow_method_of(const ShadowMethod *const *methods, const SceneLight *light)
@@ -45,21 +45,21 @@ const ShadowMethod *shadow_method_of(const ShadowMethod *const *methods, const S
     return scene_light_casts(light) ? *methods : NULL;
 }
 
-int shadow_method_lights(const Render *render, Word word)
+int shadow_method_lights(const Renderer *renderer, Word word)
 {
     int count = 0;
-    for (int i = 0; i < render->scene->light_count && !render->options.no_shadows; i++)
-        count += render->scene->lights[i].shadows == word;
+    for (int i = 0; i < renderer->scene->light_count && !renderer->options.no_shadows; i++)
+        count += renderer->scene->lights[i].shadows == word;
     return count;
 }
 
 /* Rays from points of an area light pass outside the view's surroundings. */
-ShadowNeeds shadow_methods_need(const Render *render)
+ShadowNeeds shadow_methods_need(const Renderer *renderer)
 {
     ShadowNeeds needs = {.even = true};
-    for (int i = 0; i < render->scene->light_count; i++) {
-        const SceneLight *light = &render->scene->lights[i];
-        const ShadowMethod *method = shadow_method_of(shadow_methods_of(render), light);
+    for (int i = 0; i < renderer->scene->light_count; i++) {
+        const SceneLight *light = &renderer->scene->lights[i];
+        const ShadowMethod *method = shadow_method_of(shadow_methods_of(renderer), light);
         needs.triangles |= method && method->triangles;
         needs.beside |= method && (method->beside || soft_views_wanted(light));
         needs.cuts |= method && !method->apart;
@@ -68,55 +68,55 @@ ShadowNeeds shadow_methods_need(const Render *render)
     return needs;
 }
 
-const ShadowMethod *shadow_method_seen(const Render *render)
+const ShadowMethod *shadow_method_seen(const Renderer *renderer)
 {
-    for (const ShadowMethod *const *row = shadow_methods_of(render); *row; row++)
-        if ((*row)->seen && (*row)->seen_wanted(render))
+    for (const ShadowMethod *const *row = shadow_methods_of(renderer); *row; row++)
+        if ((*row)->seen && (*row)->seen_wanted(renderer))
             return *row;
     return NULL;
 }
 
-bool shadow_method_sees(const Render *render)
+bool shadow_method_sees(const Renderer *renderer)
 {
-    const ShadowMethod *method = shadow_method_seen(render);
-    return method && method->seen_needed(render);
+    const ShadowMethod *method = shadow_method_seen(renderer);
+    return method && method->seen_needed(renderer);
 }
 
-bool shadow_shows_light(const Render *render)
+bool shadow_shows_light(const Renderer *renderer)
 {
-    const char *view = render->options.view;
+    const char *view = renderer->options.view;
     return !view || !strcmp(view, "shown") || !strcmp(view, "light");
 }
 
-bool shadow_seen_fits(const Render *render)
+bool shadow_seen_fits(const Renderer *renderer)
 {
     int targets = 0;
-    while (material_set_format(&render->set, targets))
+    while (material_set_format(&renderer->set, targets))
         targets++;
-    return targets < render->gl->max_draw_buffers && targets < FRAMEBUFFER_COLORS;
+    return targets < renderer->gl->max_draw_buffers && targets < FRAMEBUFFER_COLORS;
 }
 
-void shadow_method_seen_bind(const Render *render)
+void shadow_method_seen_bind(const Renderer *renderer)
 {
-    const ShadowMethod *method = shadow_method_seen(render);
+    const ShadowMethod *method = shadow_method_seen(renderer);
     if (method && method->seen_bind)
-        method->seen_bind(render);
+        method->seen_bind(renderer);
 }
 
-const char *shadow_methods_target(const Render *render, FrameTarget target)
+const char *shadow_methods_target(const Renderer *renderer, FrameTarget target)
 {
     const char *format = NULL;
-    for (const ShadowMethod *const *row = shadow_methods_of(render); *row; row++)
+    for (const ShadowMethod *const *row = shadow_methods_of(renderer); *row; row++)
         if (!format && (*row)->target)
-            format = (*row)->target(render, target);
+            format = (*row)->target(renderer, target);
     return format;
 }
 
-bool shadow_methods_make(Render *render)
+bool shadow_methods_make(Renderer *renderer)
 {
     bool fine = true;
-    for (const ShadowMethod *const *row = shadow_methods_of(render); *row; row++)
-        fine = fine && (!(*row)->make || (*row)->make(render));
+    for (const ShadowMethod *const *row = shadow_methods_of(renderer); *row; row++)
+        fine = fine && (!(*row)->make || (*row)->make(renderer));
     return fine;
 }
 
@@ -130,24 +130,24 @@ const FrameLook *shadow_methods_look(const ShadowMethod *const *methods, const c
     return look;
 }
 
-bool shadow_methods_look_make(Render *render)
+bool shadow_methods_look_make(Renderer *renderer)
 {
     bool fine = true;
-    for (const ShadowMethod *const *row = shadow_methods_of(render); *row; row++)
-        fine = fine && (!(*row)->look_make || (*row)->look_make(render));
+    for (const ShadowMethod *const *row = shadow_methods_of(renderer); *row; row++)
+        fine = fine && (!(*row)->look_make || (*row)->look_make(renderer));
     return fine;
 }
 
-void shadow_methods_look_place(Render *render)
+void shadow_methods_look_place(Renderer *renderer)
 {
-    for (const ShadowMethod *const *row = shadow_methods_of(render); *row; row++)
+    for (const ShadowMethod *const *row = shadow_methods_of(renderer); *row; row++)
         if ((*row)->look_place)
-            (*row)->look_place(render);
+            (*row)->look_place(renderer);
 }
 
-void shadow_methods_look_draw(Render *render)
+void shadow_methods_look_draw(Renderer *renderer)
 {
-    for (const ShadowMethod *const *row = shadow_methods_of(render); *row; row++)
+    for (const ShadowMethod *const *row = shadow_methods_of(renderer); *row; row++)
         if ((*row)->look_draw)
-            (*row)->look_draw(render);
+            (*row)->look_draw(renderer);
 }

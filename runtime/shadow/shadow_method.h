@@ -1,5 +1,5 @@
 /* Interface of a shadow technique: a row of this type, next to the technique's code. A light's
- * `shadows:` key selects the row by its keyword; runtime/render/shadow_methods.c lists all rows.
+ * `shadows:` key selects the row by its keyword; runtime/renderer/shadow_methods.c lists all rows.
  * This folder has their shared parts: views of lights, depth maps, planes, lists of transparent
  * fragments. Its code and the lighting call the rows through the functions at the end of this
  * header. */
@@ -7,8 +7,8 @@
 #define MATC_SHADOW_SHADOW_METHOD_H
 #include "compiler/base/text.h"
 #include "runtime/gpu_material/screen_pass.h"
-#include "runtime/frame/frame_pass.h"
-#include "runtime/frame/render_options.h"
+#include "runtime/frame_graph/frame_pass.h"
+#include "runtime/frame_graph/renderer_options.h"
 #include "runtime/shadow/shadow_state.h"
 
 enum { SHADOW_METHOD_DEFINITIONS = 256, SHADOW_METHOD_TEXTS = 3 };
@@ -57,11 +57,12 @@ struct ShadowMethod {
      * `seen_wanted`. */
     const SeenText *seen;
     /* Return whether the row uses the target: before, and after, the scene's surfaces are known. */
-    bool (*seen_wanted)(const Render *render);
-    bool (*seen_needed)(const Render *render);
-    void (*seen_bind)(const Render *render); /* binds the inputs of the programs with this text */
+    bool (*seen_wanted)(const Renderer *renderer);
+    bool (*seen_needed)(const Renderer *renderer);
+    void (*seen_bind)(
+        const Renderer *renderer); /* binds the inputs of the programs with this text */
     /* The format of a target that the technique uses; NULL: the default. */
-    const char *(*target)(const Render *render, FrameTarget target);
+    const char *(*target)(const Renderer *renderer, FrameTarget target);
 
     /* Views of a light: cube faces overlap by a border of two texels; a directional light has
      * one view of all casters instead of cascades. */
@@ -71,33 +72,34 @@ struct ShadowMethod {
     bool (*crossed)(const Scene *scene);
 
     /* called after the GPU scene and views, before the frame's passes */
-    bool (*make)(Render *render);
+    bool (*make)(Renderer *renderer);
     /* called after the depth maps are made; not called without maps */
-    bool (*make_maps)(Render *render);
+    bool (*make_maps)(Renderer *renderer);
     /* Draws the opaque casters of a view into its map; NULL: shadow_draw_cast() does. */
-    void (*draw)(Render *render, const GpuSceneSource *source, int view);
-    void (*drawn)(Render *render);                       /* called when all depth maps are drawn */
-    bool (*changed)(Render *render, unsigned what);      /* `what`: a set of FrameChange */
-    bool (*moved)(Render *render, int first, int count); /* called after these objects have moved */
-    void (*forget)(Render *render);                      /* frees all resources of the scene */
-    void (*close)(Render *render);                       /* frees all resources of the renderer */
+    void (*draw)(Renderer *renderer, const GpuSceneSource *source, int view);
+    void (*drawn)(Renderer *renderer);                  /* called when all depth maps are drawn */
+    bool (*changed)(Renderer *renderer, unsigned what); /* `what`: a set of FrameChange */
+    bool (*moved)(Renderer *renderer, int first,
+                  int count);           /* called after these objects have moved */
+    void (*forget)(Renderer *renderer); /* frees all resources of the scene */
+    void (*close)(Renderer *renderer);  /* frees all resources of the renderer */
 
     /* GLSL for programs that light surfaces; `nearest`: those in the depth buffer. */
-    void (*text)(const Render *render, bool nearest, ShadowMethodText *made);
-    void (*set)(const Render *render, ScreenPass *pass); /* sets uniforms, after each change */
+    void (*text)(const Renderer *renderer, bool nearest, ShadowMethodText *made);
+    void (*set)(const Renderer *renderer, ScreenPass *pass); /* sets uniforms, after each change */
     /* name of a sampler with its own texture unit */
     const char *sampler;
-    void (*bind)(const Render *render, int unit); /* binds the sampler's texture to the unit */
+    void (*bind)(const Renderer *renderer, int unit); /* binds the sampler's texture to the unit */
 
-    void (*put)(Text *out, const Render *render); /* writes lines for --stats */
-    void (*put_time)(Text *out, Render *render);
+    void (*put)(Text *out, const Renderer *renderer); /* writes lines for --stats */
+    void (*put_time)(Text *out, Renderer *renderer);
 
     /* A debug view by its name, or NULL; its resources, made with the pass tools, and drawn to
      * the targets light and tools, with depth. */
     const FrameLook *(*look)(const char *name);
-    bool (*look_make)(Render *render);
-    void (*look_place)(Render *render); /* called when the tile or the camera has moved */
-    void (*look_draw)(Render *render);
+    bool (*look_make)(Renderer *renderer);
+    void (*look_place)(Renderer *renderer); /* called when the tile or the camera has moved */
+    void (*look_draw)(Renderer *renderer);
 
     /* Selects the variant of that keyword, for pictures side by side. False: no such variant. */
     bool (*vary)(Scene *scene, Word variant);
@@ -107,42 +109,42 @@ struct ShadowMethod {
 
 /* Stores the rows, up to NULL, and allocates their states; frees the states and the rows'
  * resources. */
-bool shadow_methods_open(Render *render, const ShadowMethod *const *methods);
-void shadow_methods_close(Render *render);
+bool shadow_methods_open(Renderer *renderer, const ShadowMethod *const *methods);
+void shadow_methods_close(Renderer *renderer);
 /* Returns the state of a keyword's row. */
-void *shadow_method_state(const Render *render, Word word);
+void *shadow_method_state(const Renderer *renderer, Word word);
 /* Returns the row that a light's keyword selects; NULL: the light casts no shadows. */
 const ShadowMethod *shadow_method_of(const ShadowMethod *const *methods, const SceneLight *light);
 /* Returns the rows of techniques, followed by NULL. */
-static inline const ShadowMethod *const *shadow_methods_of(const Render *render)
+static inline const ShadowMethod *const *shadow_methods_of(const Renderer *renderer)
 {
-    return render->shadows->methods.rows;
+    return renderer->shadows->methods.rows;
 }
 /* Returns the number of lights with the keyword; 0 if shadows are off. */
-int shadow_method_lights(const Render *render, Word word);
+int shadow_method_lights(const Renderer *renderer, Word word);
 /* Returns 1 + the index of a keyword's row in the list: its number in GLSL. */
-int shadow_method_number(const Render *render, Word word);
+int shadow_method_number(const Renderer *renderer, Word word);
 
 /* Combined needs of all lights that cast shadows: any of them, or (`even`) all of them. */
 typedef struct {
     bool triangles, beside, cuts, even;
 } ShadowNeeds;
-ShadowNeeds shadow_methods_need(const Render *render);
+ShadowNeeds shadow_methods_need(const Renderer *renderer);
 /* Return the first row that wants the target `seen`, or NULL; and whether it needs the target
  * now. */
-const ShadowMethod *shadow_method_seen(const Render *render);
-bool shadow_method_sees(const Render *render);
-void shadow_method_seen_bind(const Render *render);
+const ShadowMethod *shadow_method_seen(const Renderer *renderer);
+bool shadow_method_sees(const Renderer *renderer);
+void shadow_method_seen_bind(const Renderer *renderer);
 /* Returns whether the view shows the picture or its lighting. */
-bool shadow_shows_light(const Render *render);
+bool shadow_shows_light(const Renderer *renderer);
 /* Returns whether the driver supports one more target in addition to those of the G-buffer. */
-bool shadow_seen_fits(const Render *render);
+bool shadow_seen_fits(const Renderer *renderer);
 /* Returns the format of a target by the first row that defines it; NULL: none does. */
-const char *shadow_methods_target(const Render *render, FrameTarget target);
-bool shadow_methods_make(Render *render);
+const char *shadow_methods_target(const Renderer *renderer, FrameTarget target);
+bool shadow_methods_make(Renderer *renderer);
 /* Finds a debug view by its name; NULL: unknown to all rows. */
 const FrameLook *shadow_methods_look(const ShadowMethod *const *methods, const char *name);
-bool shadow_methods_look_make(Render *render);
-void shadow_methods_look_place(Render *render);
-void shadow_methods_look_draw(Render *render);
+bool shadow_methods_look_make(Renderer *renderer);
+void shadow_methods_look_place(Renderer *renderer);
+void shadow_methods_look_draw(Renderer *renderer);
 #endif

@@ -8,8 +8,8 @@
  * Since a texel has one depth, transparent surfaces are rendered by depth peeling if there are
  * sheets. */
 #include "gen/render_text.h"
-#include "runtime/frame/frame.h"
-#include "runtime/frame/transparency_draw.h"
+#include "runtime/frame_graph/frame.h"
+#include "runtime/frame_graph/transparency_draw.h"
 #include "runtime/scene/scene_matrix.h"
 #include "runtime/shadow/shadow.h"
 #include <math.h>
@@ -27,58 +27,59 @@ bool shadow_sheet_reads(const SceneLight *light)
     return scene_light_casts(light) && light_from(light) != LIGHT_FROM_extent;
 }
 
-static int count_layers(const Render *render)
+static int count_layers(const Renderer *renderer)
 {
     int count = 0;
-    for (int i = 0; i < render->scene->light_count; i++)
-        count += shadow_sheet_reads(&render->scene->lights[i]);
+    for (int i = 0; i < renderer->scene->light_count; i++)
+        count += shadow_sheet_reads(&renderer->scene->lights[i]);
     return count;
 }
 
-bool shadow_sheet_needed(const Render *render)
+bool shadow_sheet_needed(const Renderer *renderer)
 {
     bool needed = false;
-    for (int i = 0; i < render->set.count && count_layers(render); i++)
-        needed |=
-            render->set.programs[i].caster >= 0 && !strcmp(render->set.programs[i].pass, "plane");
+    for (int i = 0; i < renderer->set.count && count_layers(renderer); i++)
+        needed |= renderer->set.programs[i].caster >= 0 &&
+                  !strcmp(renderer->set.programs[i].pass, "plane");
     return needed;
 }
 
-bool shadow_sheet_check(const Render *render)
+bool shadow_sheet_check(const Renderer *renderer)
 {
-    const char *way = render->options.transparency;
-    return !shadow_sheet_needed(render) || !way || strcmp(way, "lists") != 0 ||
-           gl_fail(render->gl, "a plane whose transparency varies casts shadows, by which lists of "
-                               "fragments are not "
-                               "lit: transparency auto or peeling is");
+    const char *way = renderer->options.transparency;
+    return !shadow_sheet_needed(renderer) || !way || strcmp(way, "lists") != 0 ||
+           gl_fail(renderer->gl,
+                   "a plane whose transparency varies casts shadows, by which lists of "
+                   "fragments are not "
+                   "lit: transparency auto or peeling is");
 }
 
-static int count_sheets(const Render *render)
+static int count_sheets(const Renderer *renderer)
 {
     int count = 0;
-    for (int i = 0; i < render->gpu_scene.plane_count; i++)
-        count += is_sheet(&render->gpu_scene.planes[i]);
+    for (int i = 0; i < renderer->gpu_scene.plane_count; i++)
+        count += is_sheet(&renderer->gpu_scene.planes[i]);
     return count;
 }
 
-int shadow_sheet_bytes(const Render *render)
+int shadow_sheet_bytes(const Renderer *renderer)
 {
-    return shadow_sheet_needed(render) ? TEXEL_BYTES * count_layers(render) : 0;
+    return shadow_sheet_needed(renderer) ? TEXEL_BYTES * count_layers(renderer) : 0;
 }
 
-void shadow_sheet_put(Text *out, const Render *render)
+void shadow_sheet_put(Text *out, const Renderer *renderer)
 {
-    if (render->shadows->sheets.layers)
+    if (renderer->shadows->sheets.layers)
         text_format(out, "%-8s  %-24s  %d: what planes let through of %d lights\n", "sheets",
-                    "RG32UI", shadow_sheet_bytes(render), render->shadows->sheets.layer_count);
+                    "RG32UI", shadow_sheet_bytes(renderer), renderer->shadows->sheets.layer_count);
 }
 
 /* -- resources */
 
-static bool make_layers(Render *render)
+static bool make_layers(Renderer *renderer)
 {
-    GlContext *gl = render->gl;
-    ShadowSheets *sheets = &render->shadows->sheets;
+    GlContext *gl = renderer->gl;
+    ShadowSheets *sheets = &renderer->shadows->sheets;
     GLint most = 0;
     gl->GetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &most);
     if (sheets->layer_count > most)
@@ -91,7 +92,7 @@ static bool make_layers(Render *render)
     gl->TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     gl->TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     gl->TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, 0);
-    gl->TexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RG32UI, render->size[0], render->size[1],
+    gl->TexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RG32UI, renderer->size[0], renderer->size[1],
                    sheets->layer_count, 0, GL_RG_INTEGER, GL_UNSIGNED_INT, NULL);
     return gl_check(gl, "making room for what planes let through");
 }
@@ -106,35 +107,36 @@ static char *without_input(const char *fragment)
     return text;
 }
 
-static bool make_material(Render *render, const PassProgram *program, Material *made)
+static bool make_material(Renderer *renderer, const PassProgram *program, Material *made)
 {
-    const bool modern = render->gl->major * 10 + render->gl->minor >= 45;
+    const bool modern = renderer->gl->major * 10 + renderer->gl->minor >= 45;
     const char *const head = modern ? "#version 450 core\n" : "#version 430 core\n";
     /* the text after its #version line */
-    char *own = without_input(strchr(material_set_fragment(&render->set, program), '\n') + 1);
+    char *own = without_input(strchr(material_set_fragment(&renderer->set, program), '\n') + 1);
     if (!own)
-        return gl_fail(render->gl, "out of memory");
+        return gl_fail(renderer->gl, "out of memory");
     const ProgramText text = {.vertex = {head, screen_text},
                               .fragment = {head, "#define main surfaceMain\n", own, "#undef main\n",
                                            render_text_shadow_sheet}};
-    const bool done = material_make(render->store, program->program, &text, made) ||
-                      material_set_fail(render->gl, render->scene, program->material);
+    const bool done = material_make(renderer->store, program->program, &text, made) ||
+                      material_set_fail(renderer->gl, renderer->scene, program->material);
     free(own);
     return done;
 }
 
-static bool make_materials(Render *render)
+static bool make_materials(Renderer *renderer)
 {
-    ShadowSheets *sheets = &render->shadows->sheets;
-    const GpuScene *gpu_scene = &render->gpu_scene;
+    ShadowSheets *sheets = &renderer->shadows->sheets;
+    const GpuScene *gpu_scene = &renderer->gpu_scene;
     sheets->materials =
         calloc((size_t)sheets->layer_count * (size_t)sheets->count + 1, sizeof *sheets->materials);
     if (!sheets->materials)
-        return gl_fail(render->gl, "out of memory");
+        return gl_fail(renderer->gl, "out of memory");
     for (int layer = 0, k = 0; layer < sheets->layer_count; layer++)
         for (int i = 0; i < gpu_scene->plane_count; i++)
             if (is_sheet(&gpu_scene->planes[i]) &&
-                !make_material(render, &render->set.programs[gpu_scene->planes[i].program->caster],
+                !make_material(renderer,
+                               &renderer->set.programs[gpu_scene->planes[i].program->caster],
                                &sheets->materials[k++]))
                 return false;
     return true;
@@ -159,9 +161,9 @@ static void to_eye(const double *m, const double from[3], double w, float to[4])
     to[3] = (float)w;
 }
 
-static void set_world(const Render *render, Material *material)
+static void set_world(const Renderer *renderer, Material *material)
 {
-    const SceneCamera *camera = &render->scene->camera;
+    const SceneCamera *camera = &renderer->scene->camera;
     const double *axes[4] = {camera->right, camera->up, camera->back, camera->position};
     float m[16] = {0};
     for (int i = 0; i < 12; i++)
@@ -170,21 +172,21 @@ static void set_world(const Render *render, Material *material)
     set(material, "sheet_worldFromEye", 16, m);
 }
 
-static void set_light(const Render *render, const SceneLight *light, Material *material)
+static void set_light(const Renderer *renderer, const SceneLight *light, Material *material)
 {
     const bool far = light_from(light) == LIGHT_FROM_afar;
     const double back[3] = {-light->direction[0], -light->direction[1], -light->direction[2]};
     float place[4];
-    to_eye(render->space.eye_from_world, far ? back : light->position, far ? 0 : 1, place);
+    to_eye(renderer->space.eye_from_world, far ? back : light->position, far ? 0 : 1, place);
     set(material, "sheet_light", 4, place);
 }
 
 /* Rays start at a point near the camera, on the light's side of the plane, from where they
  * intersect it steeply. */
-static void set_plane(const Render *render, const SceneLight *light, const SceneMatrix *plane,
+static void set_plane(const Renderer *renderer, const SceneLight *light, const SceneMatrix *plane,
                       Material *material)
 {
-    const SceneCamera *camera = &render->scene->camera;
+    const SceneCamera *camera = &renderer->scene->camera;
     const double *m = plane->m, *const origin = m + 12;
     double n[3], foot[3], eye[3], row[4];
     vec3_cross(m, m + 4, n);
@@ -209,101 +211,103 @@ static void set_plane(const Render *render, const SceneLight *light, const Scene
     set_point(material, "matc_planeV", m + 4);
 }
 
-static void set_numbers(const Render *render, int layer, const SceneLight *light)
+static void set_numbers(const Renderer *renderer, int layer, const SceneLight *light)
 {
-    const ShadowSheets *sheets = &render->shadows->sheets;
-    const GpuScene *gpu_scene = &render->gpu_scene;
+    const ShadowSheets *sheets = &renderer->shadows->sheets;
+    const GpuScene *gpu_scene = &renderer->gpu_scene;
     Material *material = sheets->materials + (size_t)layer * (size_t)sheets->count;
     for (int i = 0, before = 0; i < gpu_scene->plane_count; i++) {
         if (!is_sheet(&gpu_scene->planes[i]))
             continue;
-        set_world(render, material);
-        set_light(render, light, material);
-        set_plane(render, light,
-                  &render->scene->objects[gpu_scene->planes[i].object].world_from_local, material);
-        set(material, "sheet_view", 4, render->space.depth);
+        set_world(renderer, material);
+        set_light(renderer, light, material);
+        set_plane(renderer, light,
+                  &renderer->scene->objects[gpu_scene->planes[i].object].world_from_local,
+                  material);
+        set(material, "sheet_view", 4, renderer->space.depth);
         material_set_number(material, "sheet_layer", (float)layer);
         material_set_number(material, "sheet_more", (float)(before++ > 0));
-        material_set_number(material, "sheet_cut", !render->scene->shadow_colored);
+        material_set_number(material, "sheet_cut", !renderer->scene->shadow_colored);
         material_set_number(material, "sheet_layers", IMAGE_UNIT);
         material_set_number(material, "sheet_depth", (float)sheets->depth_unit);
         material++;
     }
 }
 
-void shadow_sheet_change(const Render *render)
+void shadow_sheet_change(const Renderer *renderer)
 {
-    if (!render->shadows->sheets.materials)
+    if (!renderer->shadows->sheets.materials)
         return;
-    for (int i = 0, layer = 0; i < render->scene->light_count; i++)
-        if (shadow_sheet_reads(&render->scene->lights[i]))
-            set_numbers(render, layer++, &render->scene->lights[i]);
-    shadow_sheet_place(render);
+    for (int i = 0, layer = 0; i < renderer->scene->light_count; i++)
+        if (shadow_sheet_reads(&renderer->scene->lights[i]))
+            set_numbers(renderer, layer++, &renderer->scene->lights[i]);
+    shadow_sheet_place(renderer);
 }
 
-void shadow_sheet_place(const Render *render)
+void shadow_sheet_place(const Renderer *renderer)
 {
-    const ShadowSheets *sheets = &render->shadows->sheets;
+    const ShadowSheets *sheets = &renderer->shadows->sheets;
     for (int i = 0; sheets->materials && i < sheets->layer_count * sheets->count; i++)
-        set(&sheets->materials[i], "sheet_ray", 4, render->space.ray);
+        set(&sheets->materials[i], "sheet_ray", 4, renderer->space.ray);
 }
 
-bool shadow_sheet_set(const Render *render, int material, const MaterialValue *value)
+bool shadow_sheet_set(const Renderer *renderer, int material, const MaterialValue *value)
 {
-    const ShadowSheets *sheets = &render->shadows->sheets;
+    const ShadowSheets *sheets = &renderer->shadows->sheets;
     bool found = false;
     for (int layer = 0, k = 0; sheets->materials && layer < sheets->layer_count; layer++)
-        for (int i = 0; i < render->gpu_scene.plane_count; i++)
-            if (is_sheet(&render->gpu_scene.planes[i])) {
-                const int own = render->scene->objects[render->gpu_scene.planes[i].object].material;
+        for (int i = 0; i < renderer->gpu_scene.plane_count; i++)
+            if (is_sheet(&renderer->gpu_scene.planes[i])) {
+                const int own =
+                    renderer->scene->objects[renderer->gpu_scene.planes[i].object].material;
                 found |= own == material && material_set(&sheets->materials[k], value);
                 k++;
             }
     return found;
 }
 
-bool shadow_sheet_make(Render *render)
+bool shadow_sheet_make(Renderer *renderer)
 {
-    ShadowSheets *sheets = &render->shadows->sheets;
+    ShadowSheets *sheets = &renderer->shadows->sheets;
     int units[2];
-    if (!shadow_sheet_needed(render) || sheets->materials)
+    if (!shadow_sheet_needed(renderer) || sheets->materials)
         return true;
-    sheets->count = count_sheets(render);
-    sheets->layer_count = count_layers(render);
-    if (!transparency_units(render, units) || !make_layers(render) || !make_materials(render))
+    sheets->count = count_sheets(renderer);
+    sheets->layer_count = count_layers(renderer);
+    if (!transparency_units(renderer, units) || !make_layers(renderer) || !make_materials(renderer))
         return false;
     sheets->depth_unit = units[0];
-    shadow_sheet_change(render);
+    shadow_sheet_change(renderer);
     return true;
 }
 
-void shadow_sheet_delete(Render *render)
+void shadow_sheet_delete(Renderer *renderer)
 {
-    ShadowSheets *sheets = &render->shadows->sheets;
+    ShadowSheets *sheets = &renderer->shadows->sheets;
     for (int i = 0; sheets->materials && i < sheets->layer_count * sheets->count; i++)
         material_delete(&sheets->materials[i]);
     free(sheets->materials);
-    render->gl->DeleteTextures(1, &sheets->layers); /* GL ignores the name 0 */
+    renderer->gl->DeleteTextures(1, &sheets->layers); /* GL ignores the name 0 */
     *sheets = (ShadowSheets){0};
 }
 
 /* -- drawing */
 
-void shadow_sheet_draw(const Render *render, GLuint depth)
+void shadow_sheet_draw(const Renderer *renderer, GLuint depth)
 {
     static const GLenum none = GL_NONE;
-    const GlContext *gl = render->gl;
-    const ShadowSheets *sheets = &render->shadows->sheets;
+    const GlContext *gl = renderer->gl;
+    const ShadowSheets *sheets = &renderer->shadows->sheets;
     if (!sheets->materials)
         return;
-    framebuffer_use(gl, &render->targets.draws[FRAME_DRAW_light]);
+    framebuffer_use(gl, &renderer->targets.draws[FRAME_DRAW_light]);
     gl->DrawBuffers(1, &none);
     gl->BindImageTexture(IMAGE_UNIT, sheets->layers, 0, GL_TRUE, 0, GL_READ_WRITE, GL_RG32UI);
     texture_bind(gl, depth, sheets->depth_unit);
     for (int i = 0; i < sheets->layer_count * sheets->count; i++) {
         gl->MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
         material_use(&sheets->materials[i]);
-        screen_draw(gl, &render->screen);
+        screen_draw(gl, &renderer->screen);
     }
     gl->MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
 }

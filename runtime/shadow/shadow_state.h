@@ -1,7 +1,7 @@
 /* State of shadows: data of the passes in runtime/shadow. */
 #ifndef MATC_SHADOW_SHADOW_STATE_H
 #define MATC_SHADOW_SHADOW_STATE_H
-#include "runtime/frame/frame.h"
+#include "runtime/frame_graph/frame.h"
 #include "runtime/gl/framebuffer.h"
 #include "runtime/shadow/shadow_views.h"
 

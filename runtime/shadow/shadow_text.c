@@ -1,7 +1,7 @@
 /* GLSL of shadows for a program that lights surfaces: shadow.glsl, texts of techniques, and
  * functions that dispatch to the techniques by the row's number. */
 #include "gen/render_text.h"
-#include "runtime/frame/frame.h"
+#include "runtime/frame_graph/frame.h"
 #include "runtime/shadow/shadow.h"
 #include "runtime/shadow/shadow_method.h"
 #include <stdarg.h>
@@ -31,28 +31,29 @@ static void add_piece(ShadowText *made, const char *piece)
 }
 
 /* Definitions that all techniques share. Returns false if no light casts shadows by them. */
-static bool define(const Render *render, bool nearest, char defined[SHADOW_TEXT_CHARS])
+static bool define(const Renderer *renderer, bool nearest, char defined[SHADOW_TEXT_CHARS])
 {
-    const bool maps = shadow_has_maps(render), planes = shadow_has_planes(render);
-    const bool glass = shadow_glass_needed(render), sheets = shadow_sheet_needed(render);
-    const int panes = planes ? shadow_count_panes(render) : 0;
+    const bool maps = shadow_has_maps(renderer), planes = shadow_has_planes(renderer);
+    const bool glass = shadow_glass_needed(renderer), sheets = shadow_sheet_needed(renderer);
+    const int panes = planes ? shadow_count_panes(renderer) : 0;
     if (glass || panes)
         add(defined, "#define SHADOW_COLORED\n");
     if (glass)
-        add(defined, "#define SHADOW_GLASS\n%s", render->parted ? "#define SHADOW_PARTS\n" : "");
+        add(defined, "#define SHADOW_GLASS\n%s", renderer->parted ? "#define SHADOW_PARTS\n" : "");
     if (maps)
         add(defined, "#define SHADOW_MAPS\n#define SHADOW_SIZE %d\n#define SHADOW_FILTER %d\n",
-            render->scene->shadow_size, render->scene->shadow_filter);
-    if (shadow_is_soft(render))
-        add(defined, "#define SHADOW_SOFT\n#define SOFT_POINTS %d\n", render->scene->shadow_points);
+            renderer->scene->shadow_size, renderer->scene->shadow_filter);
+    if (shadow_is_soft(renderer))
+        add(defined, "#define SHADOW_SOFT\n#define SOFT_POINTS %d\n",
+            renderer->scene->shadow_points);
     if (planes)
-        add(defined, "#define SHADOW_PLANES %d\n", render->gpu_scene.opaque_plane_count);
+        add(defined, "#define SHADOW_PLANES %d\n", renderer->gpu_scene.opaque_plane_count);
     if (panes)
         add(defined, "#define SHADOW_GLASS_PLANES %d\n", panes);
     if (sheets)
         add(defined, "#define SHADOW_SHEETS\n");
     add(defined, "#define SHADOW_METHODS %d\n", SHADOW_METHODS_MAX);
-    if (nearest && shadow_method_sees(render))
+    if (nearest && shadow_method_sees(renderer))
         add(defined, "#define SHADOW_SEEN\n");
     return maps || planes || sheets;
 }
@@ -101,15 +102,15 @@ static void end_call(ShadowText *made, ShadowCall call)
         add(made->calls, "}\n");
 }
 
-void shadow_text(const Render *render, bool nearest, ShadowText *made)
+void shadow_text(const Renderer *renderer, bool nearest, ShadowText *made)
 {
-    const ShadowMethod *const *rows = shadow_methods_of(render);
+    const ShadowMethod *const *rows = shadow_methods_of(renderer);
     ShadowMethodText texts[SHADOW_METHODS_MAX] = {0};
     memset(made, 0, sizeof *made);
-    bool there = define(render, nearest, made->defined);
+    bool there = define(renderer, nearest, made->defined);
     for (int i = 0; rows[i]; i++) {
         if (rows[i]->text)
-            rows[i]->text(render, nearest, &texts[i]);
+            rows[i]->text(renderer, nearest, &texts[i]);
         add(made->defined, "%s", texts[i].defined);
         there |= texts[i].texts[0] != NULL;
     }
@@ -131,7 +132,7 @@ void shadow_text(const Render *render, bool nearest, ShadowText *made)
 
 /* -- textures and buffers */
 
-void shadow_set(const Render *render, int unit, ScreenPass *pass)
+void shadow_set(const Renderer *renderer, int unit, ScreenPass *pass)
 {
     int own = unit + OWN_UNIT;
     screen_pass_sampler(pass, "shadow_maps", unit + MAPS_UNIT);
@@ -139,11 +140,11 @@ void shadow_set(const Render *render, int unit, ScreenPass *pass)
     screen_pass_sampler(pass, "shadow_planes", unit + PLANES_UNIT);
     screen_pass_sampler(pass, "shadow_sheets", unit + SHEETS_UNIT);
     screen_pass_sampler(pass, "shadow_seen", unit + SEEN_UNIT);
-    for (const ShadowMethod *const *row = shadow_methods_of(render); *row; row++) {
+    for (const ShadowMethod *const *row = shadow_methods_of(renderer); *row; row++) {
         if ((*row)->sampler)
             screen_pass_sampler(pass, (*row)->sampler, own++);
         if ((*row)->set)
-            (*row)->set(render, pass);
+            (*row)->set(renderer, pass);
     }
 }
 
@@ -153,10 +154,10 @@ static void bind_array(const GlContext *gl, GLuint texture, int unit)
     gl->BindTexture(GL_TEXTURE_2D_ARRAY, texture);
 }
 
-void shadow_bind(const Render *render, int unit)
+void shadow_bind(const Renderer *renderer, int unit)
 {
-    const GlContext *gl = render->gl;
-    const ShadowMaps *maps = render->shadows;
+    const GlContext *gl = renderer->gl;
+    const ShadowMaps *maps = renderer->shadows;
     int own = unit + OWN_UNIT;
     if (maps->table) {
         bind_array(gl, maps->maps, unit + MAPS_UNIT);
@@ -166,11 +167,11 @@ void shadow_bind(const Render *render, int unit)
         texture_bind(gl, maps->planes, unit + PLANES_UNIT);
     if (maps->sheets.layers)
         bind_array(gl, maps->sheets.layers, unit + SHEETS_UNIT);
-    if (shadow_method_sees(render) && frame_texture(render, FRAME_TARGET_seen, 0))
-        texture_bind(gl, frame_texture(render, FRAME_TARGET_seen, 0), unit + SEEN_UNIT);
-    for (const ShadowMethod *const *row = shadow_methods_of(render); *row; row++) {
+    if (shadow_method_sees(renderer) && frame_texture(renderer, FRAME_TARGET_seen, 0))
+        texture_bind(gl, frame_texture(renderer, FRAME_TARGET_seen, 0), unit + SEEN_UNIT);
+    for (const ShadowMethod *const *row = shadow_methods_of(renderer); *row; row++) {
         if ((*row)->bind)
-            (*row)->bind(render, own);
+            (*row)->bind(renderer, own);
         own += (*row)->sampler != NULL;
     }
     if (maps->glass.buffer)

@@ -1,7 +1,7 @@
 /* State of transparent surfaces: data of the passes in runtime/transparency. */
 #ifndef MATC_TRANSPARENCY_TRANSPARENCY_STATE_H
 #define MATC_TRANSPARENCY_TRANSPARENCY_STATE_H
-#include "runtime/frame/frame.h"
+#include "runtime/frame_graph/frame.h"
 #include "runtime/gpu_material/screen_pass.h"
 
 /* State of pass_lists.c: per-pixel linked lists. */

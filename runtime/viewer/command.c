@@ -127,7 +127,7 @@ static const Option options[] = {
      .wants = "--size wants a number from 1 to 16384", .label = "=N",
      .help = "pixels of an edge: 512, of a contact sheet's cell 192; of a scene: of its width, "
              "in its proportions"},
-    {"--samples", OPTION_int, AT(samples), .min = 1, .max = RENDER_SAMPLES_MOST,
+    {"--samples", OPTION_int, AT(samples), .min = 1, .max = RENDERER_SAMPLES_MOST,
      .wants = "--samples wants a number from 1 to 8", .label = "=N",
      .help = "N x N samples a pixel, 1 to 8: 2, of a scene 1"},
     {"--edges", OPTION_index, AT(edges), .words = OPTION_WORDS("none", "coverage"),
@@ -298,13 +298,13 @@ ScenePictureOptions command_pictures(const Command *command, int samples)
 {
     if (command->samples)
         samples = command->samples;
-    return (ScenePictureOptions){.render = {.compile = &command->compile,
-                                            .view = command->view,
-                                            .samples = samples,
-                                            .transparency = command->transparency,
-                                            .lights = command->lights,
-                                            .edges = command->edges,
-                                            .memory = (size_t)command->memory << 20},
+    return (ScenePictureOptions){.renderer = {.compile = &command->compile,
+                                              .view = command->view,
+                                              .samples = samples,
+                                              .transparency = command->transparency,
+                                              .lights = command->lights,
+                                              .edges = command->edges,
+                                              .memory = (size_t)command->memory << 20},
                                  .stats = command->stats,
                                  .graph = command->emit != NULL,
                                  .format = command->format,

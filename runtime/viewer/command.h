@@ -1,7 +1,7 @@
 /* Parsed command line of matview. */
 #ifndef MATC_VIEWER_COMMAND_H
 #define MATC_VIEWER_COMMAND_H
-#include "runtime/render/render.h"
+#include "runtime/renderer/renderer.h"
 #include "compiler/base/arena.h"
 #include "runtime/viewer/frames.h"
 #include "runtime/viewer/material_picture.h"
@@ -19,7 +19,7 @@ typedef struct {
     PictureFormat format;     /* from --format, else from the output's file extension */
     int bits, memory;         /* bits per component; render target budget in MiB; 0: not given */
     bool progress;
-    RenderEdges edges;
+    RendererEdges edges;
     const char *transparency; /* --transparency: method that orders transparent surfaces */
     const char *lights;       /* --lights: light selection (auto, bounded, all) */
     const char *emit;         /* --emit=frame */

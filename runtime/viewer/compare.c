@@ -35,7 +35,7 @@ static bool use_shadows(Comparison *c, Way way)
            (size_t)c->given->light_count * sizeof *c->scene.lights);
     scene_lights_shadow(&c->scene, way.method);
     if (way.variant != WORD_COUNT)
-        render_shadows_vary(&c->scene, way.method, way.variant);
+        renderer_shadows_vary(&c->scene, way.method, way.variant);
     return true;
 }
 
@@ -67,7 +67,7 @@ static void add_way(Comparison *c, Word method)
     Scene varied = c->scene;
     const int before = c->count;
     for (int i = 0; i < WORD_COUNT; i++)
-        if (render_shadows_vary(&varied, method, (Word)i))
+        if (renderer_shadows_vary(&varied, method, (Word)i))
             c->ways[c->count++] = (Way){method, (Word)i};
     if (c->count == before)
         c->ways[c->count++] = (Way){method, WORD_COUNT};
@@ -117,7 +117,7 @@ static bool draw_way(Comparison *c, const Listing *listing, Way way)
     char name[SHEET_NAME];
     const bool varied = way.variant != WORD_COUNT;
     snprintf(name, sizeof name, "%s%s%s", listing->name(way.method), varied ? ", " : "",
-             varied ? render_shadows_vary(&c->scene, way.method, way.variant) : "");
+             varied ? renderer_shadows_vary(&c->scene, way.method, way.variant) : "");
     if (!contact_sheet_has_room(c->sheet))
         return gl_fail(c->gl, "%s", contact_sheet_too_large);
     if (!listing->use(c, way) || !scene_pictures_show(c->pictures, &c->scene) ||
@@ -170,8 +170,8 @@ bool compare_methods(GlContext *gl, Scene *scene, const char *list,
     if (!c)
         return gl_fail(gl, "out of memory");
     of_one.progress = NULL; /* The picture's rows are not the sheet's progress. */
-    sheet->width = options->render.width;
-    sheet->height = options->render.height;
+    sheet->width = options->renderer.width;
+    sheet->height = options->renderer.height;
     *c = (Comparison){.gl = gl, .scene = *scene, .given = scene, .sheet = sheet};
     SceneLight *lights = c->scene.lights =
         malloc(((size_t)scene->light_count + 1) * sizeof *lights);

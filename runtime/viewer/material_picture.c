@@ -114,18 +114,18 @@ MaterialPictures *material_pictures_open(GlContext *gl, const MaterialPictureOpt
     if (!made)
         return gl_fail(gl, "out of memory"), NULL;
     *made = (MaterialPictures){
-        .gl = gl, .options = *options, .compile = *options->pictures.render.compile};
+        .gl = gl, .options = *options, .compile = *options->pictures.renderer.compile};
     ScenePictureOptions how = options->pictures;
-    how.render.compile = &made->compile;
-    how.render.width = options->preview.width;
-    how.render.height = options->preview.height;
+    how.renderer.compile = &made->compile;
+    how.renderer.width = options->preview.width;
+    how.renderer.height = options->preview.height;
     if (!made->compile.layout && !made->compile.custom)
         /* matc's default layout, not the smallest that fits the material */
         made->compile.layout = options->slot ? "integer" : "compact";
     if (options->slot) {
         how.look = slot_look_find(options->slot);
-        how.render.view = options->slot;
-        how.render.opaque = true;
+        how.renderer.view = options->slot;
+        how.renderer.opaque = true;
     }
     made->pictures = scene_pictures_open(gl, &how);
     if (made->pictures)

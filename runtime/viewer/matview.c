@@ -206,8 +206,8 @@ static ScenePictureOptions scene_options(Run *run, const Scene *scene)
 {
     const int size = run->command->size, width = size ? size : scene->width;
     ScenePictureOptions options = command_pictures(run->command, 1);
-    options.render.width = width;
-    options.render.height = height_for(scene, width);
+    options.renderer.width = width;
+    options.renderer.height = height_for(scene, width);
     show_progress(run, &options);
     return options;
 }
@@ -415,7 +415,7 @@ static int run(Command *command)
 int main(int argc, char **argv)
 {
     Command command = {
-        .edges = RENDER_EDGES_coverage, .shadows = WORD_COUNT, .indirect = WORD_COUNT};
+        .edges = RENDERER_EDGES_coverage, .shadows = WORD_COUNT, .indirect = WORD_COUNT};
     output_hold_streams();
     matc_options_init(&command.compile);
     command.compile.pixels = true;

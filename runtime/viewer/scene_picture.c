@@ -12,14 +12,14 @@ struct ScenePictures {
     ScenePictureOptions options;
     const Scene *scene;   /* the current scene */
     const ViewLook *look; /* mapping of the view for a PNG; or NULL */
-    Render *render;
+    Renderer *renderer;
     float *band; /* one row of tiles, four floats per pixel; NULL before the first picture */
     float *tile; /* the last tile read, if a row has several tiles; or NULL */
 };
 
 static int least(int a, int b) { return a < b ? a : b; }
 
-static bool is_picture(const char *view) { return !view || render_view_is_picture(view); }
+static bool is_picture(const char *view) { return !view || renderer_view_is_picture(view); }
 
 /* Destination of a picture: a file (top row first), or RGB bytes (bottom row first). */
 typedef struct {
@@ -30,14 +30,14 @@ typedef struct {
 static PictureSpec spec_of(const ScenePictures *p)
 {
     const ScenePictureOptions *o = &p->options;
-    const Render *render = p->render;
+    const Renderer *renderer = p->renderer;
     const bool exr = o->format == PICTURE_FORMAT_exr;
-    const char *view = o->render.view ? o->render.view : "shown";
+    const char *view = o->renderer.view ? o->renderer.view : "shown";
     const bool color = is_picture(view) || !strcmp(view, "light");
-    const int lanes = o->look ? 3 : render_lanes(render);
+    const int lanes = o->look ? 3 : renderer_lanes(renderer);
     return (PictureSpec){.format = o->format,
-                         .width = render_width(render),
-                         .height = render_height(render),
+                         .width = renderer_width(renderer),
+                         .height = renderer_height(renderer),
                          .lanes = lanes == 4 && !exr ? 3 : lanes,
                          .bits = o->bits ? o->bits
                                  : !exr  ? 8
@@ -50,11 +50,11 @@ static PictureSpec spec_of(const ScenePictures *p)
 /* Draws the tile at (x, y) into the band; y is the picture row of the band's lowest row. */
 static bool draw_tile(ScenePictures *p, int x, int y, int rows)
 {
-    const size_t tile = (size_t)render_tile_width(p->render),
-                 width = (size_t)render_width(p->render);
+    const size_t tile = (size_t)renderer_tile_width(p->renderer),
+                 width = (size_t)renderer_width(p->renderer);
     const size_t seen = (size_t)least((int)tile, (int)width - x);
-    render_move(p->render, x, y);
-    if (!render_frame(p->render) || !render_read(p->render, p->tile ? p->tile : p->band))
+    renderer_set_tile(p->renderer, x, y);
+    if (!renderer_frame(p->renderer) || !renderer_read(p->renderer, p->tile ? p->tile : p->band))
         return false;
     for (size_t row = 0; p->tile && row < (size_t)rows; row++)
         memcpy(p->band + 4 * (row * width + (size_t)x), p->tile + 4 * row * tile,
@@ -72,7 +72,7 @@ static void put_bytes(const float *rgba, int width, unsigned char *rgb)
 /* Writes a band; y is the picture row of the band's lowest row. */
 static bool write_rows(const ScenePictures *p, const Sink *sink, int y, int rows)
 {
-    const int width = render_width(p->render);
+    const int width = renderer_width(p->renderer);
     const char *why = NULL;
     for (int row = rows - 1; row >= 0 && !why; row--) {
         const float *rgba = p->band + 4 * (size_t)row * (size_t)width;
@@ -87,8 +87,8 @@ static bool write_rows(const ScenePictures *p, const Sink *sink, int y, int rows
 static bool draw_bands(ScenePictures *p, const Sink *sink)
 {
     const ScenePictureOptions *o = &p->options;
-    const int width = render_width(p->render), height = render_height(p->render);
-    const int tile[2] = {render_tile_width(p->render), render_tile_height(p->render)};
+    const int width = renderer_width(p->renderer), height = renderer_height(p->renderer);
+    const int tile[2] = {renderer_tile_width(p->renderer), renderer_tile_height(p->renderer)};
     for (int y = (height - 1) / tile[1] * tile[1]; y >= 0; y -= tile[1]) {
         const int rows = least(tile[1], height - y);
         for (int x = 0; x < width; x += tile[0])
@@ -109,9 +109,9 @@ static bool draw_bands(ScenePictures *p, const Sink *sink)
 /* Allocates a row of tiles, once for all pictures of a scene. */
 static bool make_band(ScenePictures *p)
 {
-    const size_t rows = (size_t)render_tile_height(p->render) * 4 * sizeof(float);
-    const size_t tile = (size_t)render_tile_width(p->render),
-                 width = (size_t)render_width(p->render);
+    const size_t rows = (size_t)renderer_tile_height(p->renderer) * 4 * sizeof(float);
+    const size_t tile = (size_t)renderer_tile_width(p->renderer),
+                 width = (size_t)renderer_width(p->renderer);
     if (p->band)
         return true;
     p->tile = tile < width ? malloc(rows * tile) : NULL;
@@ -122,10 +122,11 @@ static bool make_band(ScenePictures *p)
 /* Writes all shadow maps side by side, the first on the left. */
 static bool write_map_rows(ScenePictures *p, PictureFile *file, float *depths, float *rgba)
 {
-    const int count = render_map_count(p->render), size = render_map_size(p->render);
+    const int count = renderer_map_count(p->renderer), size = renderer_map_size(p->renderer);
     const char *why = NULL;
     for (int map = 0; map < count; map++)
-        if (!render_read_map(p->render, map, depths + (size_t)map * (size_t)size * (size_t)size))
+        if (!renderer_read_map(p->renderer, map,
+                               depths + (size_t)map * (size_t)size * (size_t)size))
             return false;
     for (int row = size - 1; row >= 0 && !why; row--) {
         for (int i = 0; i < count * size; i++)
@@ -138,7 +139,8 @@ static bool write_map_rows(ScenePictures *p, PictureFile *file, float *depths, f
 
 static bool write_maps(ScenePictures *p, const char *path, ScenePicture *picture)
 {
-    const int count = render_map_count(p->render), size = count ? render_map_size(p->render) : 0;
+    const int count = renderer_map_count(p->renderer),
+              size = count ? renderer_map_size(p->renderer) : 0;
     const bool exr = p->options.format == PICTURE_FORMAT_exr;
     const PictureSpec spec = {p->options.format,
                               count * size,
@@ -151,7 +153,7 @@ static bool write_maps(ScenePictures *p, const char *path, ScenePicture *picture
     if (!file)
         return gl_fail(p->gl, "%s", why);
     float *depths = malloc((size_t)count * (size_t)size * ((size_t)size + 4) * sizeof *depths);
-    bool done = depths ? render_frame(p->render) : gl_fail(p->gl, "out of memory");
+    bool done = depths ? renderer_frame(p->renderer) : gl_fail(p->gl, "out of memory");
     done = done &&
            write_map_rows(p, file, depths, depths + (size_t)count * (size_t)size * (size_t)size);
     why = done ? picture_file_finish(file, path) : NULL;
@@ -163,7 +165,7 @@ static bool write_maps(ScenePictures *p, const char *path, ScenePicture *picture
 
 static bool is_maps(const ScenePictures *p)
 {
-    return p->options.render.view && !strcmp(p->options.render.view, "shadow");
+    return p->options.renderer.view && !strcmp(p->options.renderer.view, "shadow");
 }
 
 static bool write_picture(ScenePictures *p, const char *path, ScenePicture *picture)
@@ -186,12 +188,12 @@ bool scene_pictures_draw(ScenePictures *p, const char *path, ScenePicture *pictu
 {
     *picture = (ScenePicture){0};
     if (p->options.graph) {
-        picture->words = render_graph(p->render);
+        picture->words = renderer_graph(p->renderer);
         return true;
     }
     if (!(is_maps(p) ? write_maps : write_picture)(p, path, picture))
         return false;
-    picture->words = p->options.stats ? render_stats(p->render) : NULL;
+    picture->words = p->options.stats ? renderer_stats(p->renderer) : NULL;
     return true;
 }
 
@@ -204,16 +206,19 @@ bool scene_pictures_pixels(ScenePictures *p, unsigned char *rgb)
 bool scene_pictures_turn(ScenePictures *p, Scene *scene, Scene *seen)
 {
     if (!scene_origin_follow(scene, &seen->camera))
-        return render_changed(p->render, RENDER_CAMERA | RENDER_TIME);
+        return renderer_changed(p->renderer, RENDERER_CAMERA | RENDERER_TIME);
     memcpy(seen->origin, scene->origin, sizeof seen->origin);
     return scene_pictures_show(p, seen);
 }
 
-char *scene_pictures_diagnostics(const ScenePictures *p) { return render_diagnostics(p->render); }
+char *scene_pictures_diagnostics(const ScenePictures *p)
+{
+    return renderer_diagnostics(p->renderer);
+}
 
 bool scene_pictures_param(ScenePictures *p, const char *uniform, const float *lanes, int count)
 {
-    return render_param(p->render, 0, uniform, lanes, count);
+    return renderer_param(p->renderer, 0, uniform, lanes, count);
 }
 
 static void forget_band(ScenePictures *p)
@@ -227,9 +232,9 @@ bool scene_pictures_show(ScenePictures *p, const Scene *scene)
 {
     forget_band(p); /* the new scene may have another tile size */
     p->scene = scene;
-    if (!render_scene(p->render, scene))
+    if (!renderer_set_scene(p->renderer, scene))
         return false;
-    return !render_lacks_view(p->render) || !p->options.look ||
+    return !renderer_lacks_view(p->renderer) || !p->options.look ||
            gl_fail(p->gl,
                    "the layout does not store that slot; --layout=integer stores all of them");
 }
@@ -241,14 +246,14 @@ ScenePictures *scene_pictures_open(GlContext *gl, const ScenePictureOptions *opt
     if (!made)
         return gl_fail(gl, "out of memory"), NULL;
     *made = (ScenePictures){.gl = gl, .options = *options};
-    made->options.render.linear = exr;
+    made->options.renderer.linear = exr;
     if (!exr && !options->look) {
-        made->options.look = options->render.view ? slot_look_find(options->render.view) : NULL;
-        made->look = view_look_find(options->render.view);
+        made->options.look = options->renderer.view ? slot_look_find(options->renderer.view) : NULL;
+        made->look = view_look_find(options->renderer.view);
     }
-    made->options.render.deep = options->bits > (exr ? 16 : 8);
-    made->render = render_open(gl, &made->options.render);
-    if (made->render)
+    made->options.renderer.deep = options->bits > (exr ? 16 : 8);
+    made->renderer = renderer_open(gl, &made->options.renderer);
+    if (made->renderer)
         return made;
     scene_pictures_close(made);
     return NULL;
@@ -258,7 +263,7 @@ void scene_pictures_close(ScenePictures *p)
 {
     if (!p)
         return;
-    render_close(p->render);
+    renderer_close(p->renderer);
     forget_band(p);
     free(p);
 }

@@ -2,12 +2,12 @@
  * share one scene whose camera moves; data that does not depend on the camera is computed once. */
 #ifndef MATC_VIEWER_SCENE_PICTURE_H
 #define MATC_VIEWER_SCENE_PICTURE_H
-#include "runtime/render/render.h"
+#include "runtime/renderer/renderer.h"
 #include "runtime/viewer/picture_file.h"
 #include "runtime/viewer/slot.h"
 
 typedef struct {
-    RenderOptions render;
+    RendererOptions renderer;
     const SlotLook *look; /* mapping of a slot view to colors; NULL: chosen from the view's name */
     bool stats, graph;    /* report render statistics; report the frame graph instead of drawing */
     /* PNG stores the displayed picture. OpenEXR stores its linear radiance before exposure

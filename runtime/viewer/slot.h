@@ -9,7 +9,7 @@ enum { SLOT_LOOK_COUNT = 30 };
 const char *slot_look_name(int i);
 /* Returns the mapping of a slot; NULL for an unknown name. */
 const SlotLook *slot_look_find(const char *name);
-/* Maps `pixels` pixels of four floats, as render_read returns them for a slot's view, to display
+/* Maps `pixels` pixels of four floats, as renderer_read returns them for a slot's view, to display
  * values from 0 to 1. Colors become sRGB. Normals are in view space; (0.5, 0.5, 1) faces the
  * camera. Exponents become log2(exponent) / 16. The background is nearly black. */
 void slot_look_show(const SlotLook *look, float *rgba, size_t pixels);

@@ -14,6 +14,6 @@ typedef struct ViewLook ViewLook;
 const ViewLook *view_look_find(const char *view);
 /* Returns whether the mapped values are sRGB colors rather than plain numbers. */
 bool view_look_is_color(const ViewLook *look);
-/* Maps `pixels` pixels of four floats, as render_read gives them, in place. */
+/* Maps `pixels` pixels of four floats, as renderer_read gives them, in place. */
 void view_look_show(const ViewLook *look, const SceneCamera *camera, float *rgba, size_t pixels);
 #endif

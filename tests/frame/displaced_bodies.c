@@ -52,9 +52,9 @@ Scene *displaced_drawn(GlContext *gl, int body, const char *how, MatcDocument **
     /* an edge is drawn with coverage: so its triangles come back */
     const MatcOptions options = frame_exact_options();
     Scene *scene = displaced_body(body, how, &options, document);
-    free(frame_floats(
-        gl, scene,
-        &(RenderOptions){.compile = &options, .view = "light", .edges = RENDER_EDGES_coverage}));
+    free(frame_floats(gl, scene,
+                      &(RendererOptions){
+                          .compile = &options, .view = "light", .edges = RENDERER_EDGES_coverage}));
     return scene;
 }
 
@@ -75,14 +75,15 @@ void displaced_draw_views(GlContext *gl, int body, const char *how, float *light
     const MatcOptions options = frame_exact_options();
     MatcDocument *document;
     Scene *scene = displaced_body(body, how, &options, &document);
-    Render *render = render_open(gl, &(RenderOptions){.compile = &options, .view = "light"});
-    assert_true(render && render_scene(render, scene));
+    Renderer *renderer =
+        renderer_open(gl, &(RendererOptions){.compile = &options, .view = "light"});
+    assert_true(renderer && renderer_set_scene(renderer, scene));
     for (int view = 0; view < DISPLACED_VIEWS; view++) {
         look_from(scene, body, view);
-        assert_true(render_changed(render, RENDER_CAMERA) && render_frame(render) &&
-                    render_read(render, light + view * DISPLACED_VIEW_FLOATS));
+        assert_true(renderer_changed(renderer, RENDERER_CAMERA) && renderer_frame(renderer) &&
+                    renderer_read(renderer, light + view * DISPLACED_VIEW_FLOATS));
     }
-    render_close(render);
+    renderer_close(renderer);
     frame_forget(scene, document);
 }
 

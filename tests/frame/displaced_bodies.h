@@ -1,7 +1,7 @@
 /* A displaced body over nothing, as tests of displacement by the driver look at it. */
 #ifndef MATC_FRAME_DISPLACED_BODIES_H
 #define MATC_FRAME_DISPLACED_BODIES_H
-#include "runtime/render/render.h"
+#include "runtime/renderer/renderer.h"
 
 enum {
     DISPLACED_EDGE = 64 /* pixels of the picture */,

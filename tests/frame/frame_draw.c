@@ -68,60 +68,61 @@ GlKind frame_kind(int count, char **arguments)
     return count > 1 && gl_kind_find(arguments[count - 1], &kind) ? kind : GL_KIND_osmesa;
 }
 
-float *frame_floats_by(GlContext *gl, Render *render, const Scene *scene)
+float *frame_floats_by(GlContext *gl, Renderer *renderer, const Scene *scene)
 {
-    if (!render || !render_scene(render, scene) || !render_frame(render))
+    if (!renderer || !renderer_set_scene(renderer, scene) || !renderer_frame(renderer))
         end(gl->error);
-    float *rgba = calloc((size_t)render_tile_width(render) * (size_t)render_tile_height(render),
-                         4 * sizeof *rgba);
-    if (!rgba || !render_read(render, rgba))
+    float *rgba =
+        calloc((size_t)renderer_tile_width(renderer) * (size_t)renderer_tile_height(renderer),
+               4 * sizeof *rgba);
+    if (!rgba || !renderer_read(renderer, rgba))
         end(gl->error);
     return rgba;
 }
 
-float *frame_floats(GlContext *gl, const Scene *scene, const RenderOptions *options)
+float *frame_floats(GlContext *gl, const Scene *scene, const RendererOptions *options)
 {
-    Render *render = render_open(gl, options);
-    float *rgba = frame_floats_by(gl, render, scene);
-    render_close(render);
+    Renderer *renderer = renderer_open(gl, options);
+    float *rgba = frame_floats_by(gl, renderer, scene);
+    renderer_close(renderer);
     return rgba;
 }
 
 /* Puts a tile that begins at a pixel into a picture. */
-static void put_tile(const Render *render, const float *tile, const int at[2], float *picture)
+static void put_tile(const Renderer *renderer, const float *tile, const int at[2], float *picture)
 {
-    const int width = render_width(render), height = render_height(render),
-              tile_width = render_tile_width(render);
+    const int width = renderer_width(renderer), height = renderer_height(renderer),
+              tile_width = renderer_tile_width(renderer);
     const int columns = width - at[0] < tile_width ? width - at[0] : tile_width;
-    for (int row = 0; row < render_tile_height(render) && at[1] + row < height; row++)
+    for (int row = 0; row < renderer_tile_height(renderer) && at[1] + row < height; row++)
         memcpy(picture + 4 * ((size_t)(at[1] + row) * (size_t)width + (size_t)at[0]),
                tile + 4 * (size_t)row * (size_t)tile_width, 4 * (size_t)columns * sizeof *tile);
 }
 
-float *frame_tiles(GlContext *gl, const Scene *scene, const RenderOptions *options)
+float *frame_tiles(GlContext *gl, const Scene *scene, const RendererOptions *options)
 {
-    Render *render = render_open(gl, options);
-    if (!render || !render_scene(render, scene))
+    Renderer *renderer = renderer_open(gl, options);
+    if (!renderer || !renderer_set_scene(renderer, scene))
         end(gl->error);
-    const int width = render_tile_width(render), height = render_tile_height(render);
-    float *picture =
-        calloc((size_t)render_width(render) * (size_t)render_height(render), 4 * sizeof *picture);
+    const int width = renderer_tile_width(renderer), height = renderer_tile_height(renderer);
+    float *picture = calloc((size_t)renderer_width(renderer) * (size_t)renderer_height(renderer),
+                            4 * sizeof *picture);
     float *tile = calloc((size_t)width * (size_t)height, 4 * sizeof *tile);
-    for (int y = (render_height(render) - 1) / height * height; y >= 0; y -= height)
-        for (int x = (render_width(render) - 1) / width * width; x >= 0; x -= width) {
-            render_move(render, x, y);
-            if (!picture || !tile || !render_frame(render) || !render_read(render, tile))
+    for (int y = (renderer_height(renderer) - 1) / height * height; y >= 0; y -= height)
+        for (int x = (renderer_width(renderer) - 1) / width * width; x >= 0; x -= width) {
+            renderer_set_tile(renderer, x, y);
+            if (!picture || !tile || !renderer_frame(renderer) || !renderer_read(renderer, tile))
                 end(gl->error);
-            put_tile(render, tile, (int[]){x, y}, picture);
+            put_tile(renderer, tile, (int[]){x, y}, picture);
         }
     free(tile);
-    render_close(render);
+    renderer_close(renderer);
     return picture;
 }
 
-char *frame_graph(const Render *render)
+char *frame_graph(const Renderer *renderer)
 {
-    char *graph = render_graph(render), *to = graph;
+    char *graph = renderer_graph(renderer), *to = graph;
     if (!graph)
         end("no memory for a graph");
     for (const char *from = graph; *from; from++)
@@ -131,12 +132,12 @@ char *frame_graph(const Render *render)
     return graph;
 }
 
-char *frame_graph_or_fault(GlContext *gl, const Scene *scene, const RenderOptions *options)
+char *frame_graph_or_fault(GlContext *gl, const Scene *scene, const RendererOptions *options)
 {
-    Render *render = render_open(gl, options);
-    const bool done = render && render_scene(render, scene) && render_frame(render);
-    char *said = done ? frame_graph(render) : strdup(gl->error);
-    render_close(render);
+    Renderer *renderer = renderer_open(gl, options);
+    const bool done = renderer && renderer_set_scene(renderer, scene) && renderer_frame(renderer);
+    char *said = done ? frame_graph(renderer) : strdup(gl->error);
+    renderer_close(renderer);
     return said;
 }
 

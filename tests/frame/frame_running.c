@@ -12,30 +12,31 @@ static void need(bool fine, const char *why)
     abort();
 }
 
-void frame_running_open(GlContext *gl, const char *text, const RenderOptions *options,
+void frame_running_open(GlContext *gl, const char *text, const RendererOptions *options,
                         FrameRunning *made)
 {
-    RenderOptions all = *options;
+    RendererOptions all = *options;
     *made = (FrameRunning){.options = frame_exact_options()};
     all.compile = &made->options;
     made->scene = frame_scene(text, &made->options, &made->document);
-    made->render = render_open(gl, &all);
-    need(made->render && render_scene(made->render, made->scene), gl->error);
-    made->rgba = calloc((size_t)render_width(made->render) * (size_t)render_height(made->render),
-                        4 * sizeof *made->rgba);
+    made->renderer = renderer_open(gl, &all);
+    need(made->renderer && renderer_set_scene(made->renderer, made->scene), gl->error);
+    made->rgba =
+        calloc((size_t)renderer_width(made->renderer) * (size_t)renderer_height(made->renderer),
+               4 * sizeof *made->rgba);
     need(made->rgba != NULL, "out of memory");
 }
 
 const float *frame_running_draw(FrameRunning *running)
 {
-    need(render_frame(running->render) && render_read(running->render, running->rgba),
+    need(renderer_frame(running->renderer) && renderer_read(running->renderer, running->rgba),
          "a frame is not drawn");
     return running->rgba;
 }
 
 void frame_running_close(FrameRunning *running)
 {
-    render_close(running->render);
+    renderer_close(running->renderer);
     frame_forget(running->scene, running->document);
     free(running->rgba);
 }

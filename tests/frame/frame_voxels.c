@@ -17,7 +17,7 @@ bool frame_voxels_bit(const FrameVoxelsDrawn *d, const int at[3])
 
 uint32_t *frame_voxels_level(const FrameVoxelsDrawn *d, int level)
 {
-    const FrameVoxels *voxels = d->render->voxels;
+    const FrameVoxels *voxels = d->renderer->voxels;
     const GlContext *gl = d->gl;
     const int edge = d->size >> level, words = d->size / 32;
     uint32_t *made = malloc((size_t)edge * (size_t)edge * (size_t)words * sizeof *made);
@@ -46,15 +46,16 @@ FrameVoxelsDrawn frame_voxels_drawn(const char *objects, int size)
     FrameVoxelsDrawn d = {.size = size, .gl = frame_context()};
     snprintf(text, sizeof text, "%svoxels: { size: %d }\nobjects:\n%s", head, size, objects);
     d.scene = frame_scene(text, &options, &d.document);
-    d.render = render_open(d.gl, &(RenderOptions){.compile = &options, .view = "voxels"});
-    assert_true(d.render && render_scene(d.render, d.scene) && render_frame(d.render));
+    d.renderer = renderer_open(d.gl, &(RendererOptions){.compile = &options, .view = "voxels"});
+    assert_true(d.renderer && renderer_set_scene(d.renderer, d.scene) &&
+                renderer_frame(d.renderer));
     d.words = frame_voxels_level(&d, 0);
     return d;
 }
 
 void frame_voxels_forget(FrameVoxelsDrawn *d)
 {
-    render_close(d->render);
+    renderer_close(d->renderer);
     frame_forget(d->scene, d->document);
     gl_close(d->gl);
     free(d->words);

@@ -1,7 +1,7 @@
 /* Scenes as voxels, for tests. */
 #ifndef MATC_FRAME_VOXELS_H
 #define MATC_FRAME_VOXELS_H
-#include "runtime/frame/frame.h"
+#include "runtime/frame_graph/frame.h"
 
 /* Objects, as lines of a document's list: closed, each in its place, one of them mirrored; */
 #define FRAME_VOXELS_BODIES                                                                        \
@@ -40,7 +40,7 @@ typedef struct {
     GlContext *gl;
     MatcDocument *document;
     Scene *scene;
-    Render *render;
+    Renderer *renderer;
     uint32_t *words; /* of the lowest level: columns of size / 32 words */
     int size;
 } FrameVoxelsDrawn;

@@ -1,6 +1,6 @@
 /* Rows of goals: a scene each, drawn by several keys. */
 #include "tests/frame/indirect_goals.h"
-#include "runtime/render/passes.h"
+#include "runtime/renderer/passes.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame_reference/indirect_truth.h"
 #include <math.h>
@@ -39,26 +39,26 @@ static double processor_seconds(void)
 
 /* Passes over all pixels that a frame takes because of indirect light, in seconds; what is made
  * once for a scene is not among them. */
-static double pass_time(Render *render)
+static double pass_time(Renderer *renderer)
 {
     static const char *const passes[] = {"rays", "history", "smooth", "spread"};
-    render->gl->Finish();
+    renderer->gl->Finish();
     const double begin = processor_seconds();
     for (int i = 0; i < frame_pass_count(); i++)
         for (size_t pass = 0; pass < sizeof passes / sizeof *passes; pass++)
-            if (render->targets.plan.runs >> i & 1 &&
+            if (renderer->targets.plan.runs >> i & 1 &&
                 !strcmp(frame_pass(i)->plan.name, passes[pass]))
-                frame_pass(i)->draw(render);
-    render->gl->Finish();
+                frame_pass(i)->draw(renderer);
+    renderer->gl->Finish();
     return processor_seconds() - begin;
 }
 
 /* Least times of both, taken in turns, as a share: so other work of the machine counts for both. */
-static double share_of_time(Render *render, Render *march)
+static double share_of_time(Renderer *renderer, Renderer *march)
 {
     double least[2] = {INFINITY, INFINITY};
     for (int i = 0; i < FRAMES; i++) {
-        least[0] = fmin(least[0], pass_time(render));
+        least[0] = fmin(least[0], pass_time(renderer));
         least[1] = fmin(least[1], pass_time(march));
     }
     return least[0] / least[1];
@@ -80,7 +80,7 @@ typedef struct {
     GlContext *gl;
     MatcOptions options;
     IndirectTruth *truth;
-    Render *march;
+    Renderer *march;
     MatcDocument *march_document;
     Scene *march_scene;
 } Row;
@@ -92,7 +92,8 @@ static void open_march(Row *row)
     row->goal = &goals[0];
     put_scene(row->goals, row->goal, "method: march, rays: 32, steps: 32, filter: none", text);
     row->march_scene = frame_scene(text, &row->options, &row->march_document);
-    row->march = render_open(row->gl, &(RenderOptions){.compile = &row->options, .view = "open"});
+    row->march =
+        renderer_open(row->gl, &(RendererOptions){.compile = &row->options, .view = "open"});
     free(frame_floats_by(row->gl, row->march, row->march_scene));
 }
 
@@ -108,11 +109,11 @@ static bool put_row(Row *row, const char *keys)
         indirect_truth_find(
             scene, &(OpenRays){.across = goal->across, .radius = goal->radius, .bounces = 1},
             is_light(goal) ? &row->options : NULL, row->truth);
-    Render *render =
-        render_open(row->gl, &(RenderOptions){.compile = &row->options, .view = goal->view});
-    float *rgba = frame_floats_by(row->gl, render, scene);
+    Renderer *renderer =
+        renderer_open(row->gl, &(RendererOptions){.compile = &row->options, .view = goal->view});
+    float *rgba = frame_floats_by(row->gl, renderer, scene);
     const double off = indirect_truth_off(row->truth, rgba, is_light(goal)),
-                 share = row->goals->timed ? share_of_time(render, row->march) : 0;
+                 share = row->goals->timed ? share_of_time(renderer, row->march) : 0;
     if (row->goals->timed)
         snprintf(time, sizeof time, "%.3f", share);
     const bool exact = off <= goal->off + 5e-4,
@@ -123,7 +124,7 @@ static bool put_row(Row *row, const char *keys)
            : fast             ? ", reached"
                               : ", missed");
     fflush(stdout);
-    render_close(render);
+    renderer_close(renderer);
     free(rgba);
     frame_forget(scene, document);
     return exact && fast;
@@ -148,7 +149,7 @@ bool indirect_goals_print(const IndirectGoals *g)
         for (int k = 0; k < count; k++)
             fine = put_row(&row, g->key_count ? g->keys[k] : usual[k]) && fine;
     }
-    render_close(row.march);
+    renderer_close(row.march);
     frame_forget(row.march_scene, row.march_document);
     free(row.truth);
     gl_close(row.gl);

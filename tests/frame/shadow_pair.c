@@ -15,8 +15,8 @@ void shadow_pair_open(GlKind kind, ShadowPair *pair)
     pair->options = frame_exact_options();
     for (int i = 0; i < 2; i++) {
         pair->how[i] =
-            (RenderOptions){.compile = &pair->options, .view = "light", .no_shadows = i > 0};
-        pair->renders[i] = render_open(pair->gl, &pair->how[i]);
+            (RendererOptions){.compile = &pair->options, .view = "light", .no_shadows = i > 0};
+        pair->renders[i] = renderer_open(pair->gl, &pair->how[i]);
         if (!pair->renders[i])
             end(pair);
     }
@@ -25,16 +25,16 @@ void shadow_pair_open(GlKind kind, ShadowPair *pair)
 void shadow_pair_close(ShadowPair *pair)
 {
     for (int i = 0; i < 2; i++)
-        render_close(pair->renders[i]);
+        renderer_close(pair->renders[i]);
     gl_close(pair->gl);
 }
 
 float *shadow_pair_draw(const ShadowPair *pair, int which, const Scene *scene)
 {
-    Render *render = pair->renders[which];
+    Renderer *renderer = pair->renders[which];
     float *rgba = calloc((size_t)scene->width * (size_t)scene->height, 4 * sizeof *rgba);
-    if (!rgba || !render_scene(render, scene) || !render_frame(render) ||
-        !render_read(render, rgba))
+    if (!rgba || !renderer_set_scene(renderer, scene) || !renderer_frame(renderer) ||
+        !renderer_read(renderer, rgba))
         end(pair);
     return rgba;
 }

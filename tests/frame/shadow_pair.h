@@ -6,8 +6,8 @@
 typedef struct {
     GlContext *gl;
     MatcOptions options;
-    RenderOptions how[2];
-    Render *renders[2]; /* [1] casts none; views of light */
+    RendererOptions how[2];
+    Renderer *renders[2]; /* [1] casts none; views of light */
 } ShadowPair;
 
 /* It stays where it is, as renderers point to its options. */

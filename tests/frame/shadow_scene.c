@@ -44,7 +44,7 @@ Scene *shadow_scene_mixed(const char *mixed, const char *through, const MatcOpti
 void shadow_scene_assert_glass(GlContext *gl, const char *mixed)
 {
     const MatcOptions options = frame_exact_options();
-    const RenderOptions how = {.compile = &options, .view = "light"};
+    const RendererOptions how = {.compile = &options, .view = "light"};
     MatcDocument *documents[2];
     Scene *scenes[2];
     float *pictures[2];
@@ -75,10 +75,10 @@ void shadow_scene_assert_refused(GlContext *gl, const char *mixed, const char *m
     MatcDocument *document;
     Scene *scene = shadow_scene_mixed(mixed, ".5", &options, &document);
     gl->major = gl->minor = 3;
-    Render *render = render_open(gl, &(RenderOptions){.compile = &options});
-    assert_non_null(render);
-    assert_false(render_scene(render, scene));
+    Renderer *renderer = renderer_open(gl, &(RendererOptions){.compile = &options});
+    assert_non_null(renderer);
+    assert_false(renderer_set_scene(renderer, scene));
     assert_non_null(strstr(gl->error, message));
-    render_close(render);
+    renderer_close(renderer);
     frame_forget(scene, document);
 }

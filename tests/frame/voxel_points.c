@@ -78,10 +78,10 @@ void voxel_points_free(VoxelPoints *points)
     *points = (VoxelPoints){.wide = 0};
 }
 
-bool voxel_points_open(const Render *render, const VoxelPoints *points, const char *const glsl[2],
-                       VoxelPointsPass *made)
+bool voxel_points_open(const Renderer *renderer, const VoxelPoints *points,
+                       const char *const glsl[2], VoxelPointsPass *made)
 {
-    GlContext *gl = render->gl;
+    GlContext *gl = renderer->gl;
     const FramebufferSpec spec = {.width = points->wide,
                                   .height = points->high,
                                   .color_count = 1,
@@ -106,31 +106,31 @@ bool voxel_points_open(const Render *render, const VoxelPoints *points, const ch
         if (!(made->textures[i] = texture_make(gl, &specs[i])))
             return false;
     if (!framebuffer_make(gl, &spec, &made->target) ||
-        !screen_pass_make(render->store, &text, &made->pass))
+        !screen_pass_make(renderer->store, &text, &made->pass))
         return false;
     screen_pass_sampler(&made->pass, "points", 0);
     screen_pass_sampler(&made->pass, "directions", 1);
     return true;
 }
 
-void voxel_points_run(const Render *render, VoxelPointsPass *pass, float radius, float off)
+void voxel_points_run(const Renderer *renderer, VoxelPointsPass *pass, float radius, float off)
 {
     for (int i = 0; i < 2; i++)
-        texture_bind(render->gl, pass->textures[i], i);
-    pass_voxels_set(render, 2, &pass->pass);
-    voxel_bricks_bind(render, 2);
+        texture_bind(renderer->gl, pass->textures[i], i);
+    pass_voxels_set(renderer, 2, &pass->pass);
+    voxel_bricks_bind(renderer, 2);
     screen_pass_sampler(&pass->pass, "voxel_slices", 3);
-    render->gl->ActiveTexture(GL_TEXTURE0 + 3);
-    render->gl->BindTexture(GL_TEXTURE_2D_ARRAY, render->voxels->map);
+    renderer->gl->ActiveTexture(GL_TEXTURE0 + 3);
+    renderer->gl->BindTexture(GL_TEXTURE_2D_ARRAY, renderer->voxels->map);
     material_set_number(&pass->pass.material, "off", off);
     material_set_number(&pass->pass.material, "radius", radius);
-    screen_pass_run(&pass->pass, &pass->target, &render->screen);
+    screen_pass_run(&pass->pass, &pass->target, &renderer->screen);
 }
 
-void voxel_points_close(const Render *render, VoxelPointsPass *pass)
+void voxel_points_close(const Renderer *renderer, VoxelPointsPass *pass)
 {
     screen_pass_delete(&pass->pass);
-    framebuffer_delete(render->gl, &pass->target);
-    render->gl->DeleteTextures(2, pass->textures); /* GL ignores the name 0 */
+    framebuffer_delete(renderer->gl, &pass->target);
+    renderer->gl->DeleteTextures(2, pass->textures); /* GL ignores the name 0 */
     *pass = (VoxelPointsPass){.textures = {0}};
 }

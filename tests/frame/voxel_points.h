@@ -2,7 +2,7 @@
  * benchmarks. */
 #ifndef MATC_VOXEL_POINTS_H
 #define MATC_VOXEL_POINTS_H
-#include "runtime/frame/frame.h"
+#include "runtime/frame_graph/frame.h"
 
 enum { VOXEL_POINTS_TEXELS = 4 };
 
@@ -34,9 +34,9 @@ typedef struct {
 extern const char voxel_points_ray[];
 /* `off`: how far off the surface rays begin, in voxels; 0: where voxelStart says. False: see the
  * context's error. */
-bool voxel_points_open(const Render *render, const VoxelPoints *points, const char *const glsl[2],
-                       VoxelPointsPass *made);
+bool voxel_points_open(const Renderer *renderer, const VoxelPoints *points,
+                       const char *const glsl[2], VoxelPointsPass *made);
 /* x: the share of a point's rays, `radius` voxels long, that meet nothing; y: the mean count. */
-void voxel_points_run(const Render *render, VoxelPointsPass *pass, float radius, float off);
-void voxel_points_close(const Render *render, VoxelPointsPass *pass);
+void voxel_points_run(const Renderer *renderer, VoxelPointsPass *pass, float radius, float off);
+void voxel_points_close(const Renderer *renderer, VoxelPointsPass *pass);
 #endif

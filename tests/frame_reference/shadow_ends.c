@@ -2,7 +2,7 @@
  * the point that its ray meets, in double. */
 #include "tests/frame_reference/shadow_ends.h"
 #include "runtime/shadow/shadow_state.h"
-#include "runtime/frame/frame.h"
+#include "runtime/frame_graph/frame.h"
 #include "tests/frame_reference/boundary.h"
 #include "tests/frame_reference/shadow_ray.h"
 #include <math.h>

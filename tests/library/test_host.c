@@ -4,7 +4,7 @@
 /* ctest: seconds=60 */
 #include "tests/test.h"
 #include "runtime/gl/backend.h"
-#include "runtime/render/matc_render.h"
+#include "runtime/renderer/matc_render.h"
 #include "tests/frame/frame_draw.h"
 #include <math.h>
 #include <stdio.h>
@@ -26,10 +26,10 @@ typedef struct {
     GlContext *owner;
     MatcDocument *document;
     MatcScene *scene;
-    MatcRender *render;
+    MatcRenderer *render;
 } Host;
 
-static MatcRenderProc load(void *user, const char *name)
+static MatcRendererProc load(void *user, const char *name)
 {
     return gl_backend_osmesa.load(((const GlContext *)user)->state, name);
 }
@@ -41,8 +41,8 @@ static Host open_host_of(const char *document_text)
     h.scene =
         matc_scene_read("scene.yaml", document_text, strlen(document_text), NULL, &h.document);
     assert_non_null(h.scene);
-    h.render = matc_render_open(
-        &(MatcRenderOptions){sizeof(MatcRenderOptions), load, h.owner, NULL, NULL, 0, 0}, error,
+    h.render = matc_renderer_open(
+        &(MatcRendererOptions){sizeof(MatcRendererOptions), load, h.owner, NULL, NULL, 0, 0}, error,
         sizeof error);
     if (!h.render)
         fail_msg("%s", error);
@@ -54,7 +54,7 @@ static Host open_host(void) { return open_host_of(text); }
 /* The context goes on. */
 static void close_host(Host *h)
 {
-    matc_render_close(h->render);
+    matc_renderer_close(h->render);
     matc_scene_free(h->scene);
     matc_document_free(h->document);
     GLuint texture = 0;
@@ -66,7 +66,7 @@ static void close_host(Host *h)
 static float *read_host(const Host *h)
 {
     float *rgba = calloc(FLOATS, sizeof *rgba);
-    assert_true(rgba && matc_render_frame(h->render) && matc_render_read(h->render, rgba));
+    assert_true(rgba && matc_renderer_frame(h->render) && matc_renderer_read(h->render, rgba));
     return rgba;
 }
 
@@ -80,7 +80,7 @@ static void assert_as_own(const Host *h, const char *document_text)
     float *host = read_host(h);
     Scene *scene = frame_scene(document_text, &options, &document);
     GlContext *gl = frame_context();
-    float *own = frame_floats(gl, scene, &(RenderOptions){.compile = &options});
+    float *own = frame_floats(gl, scene, &(RendererOptions){.compile = &options});
     assert_memory_equal(host, own, FLOATS * sizeof *own);
     gl_close(gl);
     assert_true(gl_use(h->owner));
@@ -107,31 +107,31 @@ static void draws_and_changes(void **state)
 {
     (void)state;
     Host h = open_host();
-    assert_true(matc_render_scene(h.render, h.scene));
-    assert_int_equal(matc_render_width(h.render), WIDTH);
-    assert_int_equal(matc_render_height(h.render), HEIGHT);
+    assert_true(matc_renderer_set_scene(h.render, h.scene));
+    assert_int_equal(matc_renderer_width(h.render), WIDTH);
+    assert_int_equal(matc_renderer_height(h.render), HEIGHT);
     assert_int_equal(matc_scene_object_count(h.scene), 2);
     assert_int_equal(matc_scene_light_count(h.scene), 1);
     assert_int_equal(matc_scene_material_count(h.scene), 2);
-    assert_int_not_equal(matc_render_texture(h.render), 0);
+    assert_int_not_equal(matc_renderer_texture(h.render), 0);
     assert_as_own(&h, text);
     double matrix[16];
     matc_scene_matrix(h.scene, 1, matrix);
     matrix[12] = -1.5;
-    assert_true(matc_render_move(h.render, 1, matrix));
+    assert_true(matc_renderer_set_object(h.render, 1, matrix));
     char *changed = with("[1, 0, 0]", "[-1.5, 0, 0]");
     assert_as_own(&h, changed);
     free(changed);
     matrix[12] = 1;
-    assert_true(matc_render_move(h.render, 1, matrix));
-    assert_true(
-        matc_render_look(h.render, (double[]){2, -4, 3}, (double[]){0, 0, 0}, (double[]){0, 0, 1}));
+    assert_true(matc_renderer_set_object(h.render, 1, matrix));
+    assert_true(matc_renderer_set_camera(h.render, (double[]){2, -4, 3}, (double[]){0, 0, 0},
+                                         (double[]){0, 0, 1}));
     changed = with("[0, -5, 1]", "[2, -4, 3]");
     assert_as_own(&h, changed);
     free(changed);
-    assert_true(
-        matc_render_look(h.render, (double[]){0, -5, 1}, (double[]){0, 0, 0}, (double[]){0, 0, 1}));
-    assert_true(matc_render_light(h.render, 0, (double[]){-2, -4, 3}, (double[]){4, 4, 4}));
+    assert_true(matc_renderer_set_camera(h.render, (double[]){0, -5, 1}, (double[]){0, 0, 0},
+                                         (double[]){0, 0, 1}));
+    assert_true(matc_renderer_set_light(h.render, 0, (double[]){-2, -4, 3}, (double[]){4, 4, 4}));
     changed = with("[2, -4, 3], intensity: 9", "[-2, -4, 3], intensity: 4");
     assert_as_own(&h, changed);
     free(changed);
@@ -165,26 +165,26 @@ static void displaces_again(void **state)
     (void)state;
     double matrix[16];
     Host h = open_host_of(DISPLACED("0.1", "1, 1, 1", "-1, 0, 0", "1", "0, 0, 0"));
-    assert_true(matc_render_scene(h.render, h.scene));
+    assert_true(matc_renderer_set_scene(h.render, h.scene));
     assert_as_own(&h, DISPLACED("0.1", "1, 1, 1", "-1, 0, 0", "1", "0, 0, 0"));
-    assert_true(matc_render_param(h.render, 0, "paint", (float[]){1, .5f, .25f}, 3));
-    assert_true(matc_render_param(h.render, 0, "height", (float[]){.25f}, 1));
-    assert_true(matc_render_param(h.render, 0, "height", (float[]){.25f}, 1));
+    assert_true(matc_renderer_set_param(h.render, 0, "paint", (float[]){1, .5f, .25f}, 3));
+    assert_true(matc_renderer_set_param(h.render, 0, "height", (float[]){.25f}, 1));
+    assert_true(matc_renderer_set_param(h.render, 0, "height", (float[]){.25f}, 1));
     assert_as_own(&h, DISPLACED("0.25", "1, .5, .25", "-1, 0, 0", "1", "0, 0, 0"));
     matc_scene_matrix(h.scene, 2, matrix);
     matrix[12] = .5;
-    assert_true(matc_render_move(h.render, 2, matrix));
+    assert_true(matc_renderer_set_object(h.render, 2, matrix));
     assert_as_own(&h, DISPLACED("0.25", "1, .5, .25", "-1, 0, 0", "1", "0.5, 0, 0"));
     matc_scene_matrix(h.scene, 0, matrix);
     matrix[12] = -.5;
-    assert_true(matc_render_move(h.render, 0, matrix));
+    assert_true(matc_renderer_set_object(h.render, 0, matrix));
     matc_scene_matrix(h.scene, 1, matrix);
     matrix[0] = matrix[5] = matrix[10] = .5;
-    assert_true(matc_render_move(h.render, 1, matrix));
+    assert_true(matc_renderer_set_object(h.render, 1, matrix));
     assert_as_own(&h, DISPLACED("0.25", "1, .5, .25", "-.5, 0, 0", "0.5", "0.5, 0, 0"));
-    assert_false(matc_render_param(h.render, 0, "height", (float[]){1, 2}, 2));
-    assert_true(matc_render_param(h.render, 0, "height", (float[]){0}, 1));
-    assert_true(matc_render_param(h.render, 0, "height", (float[]){.1f}, 1));
+    assert_false(matc_renderer_set_param(h.render, 0, "height", (float[]){1, 2}, 2));
+    assert_true(matc_renderer_set_param(h.render, 0, "height", (float[]){0}, 1));
+    assert_true(matc_renderer_set_param(h.render, 0, "height", (float[]){.1f}, 1));
     assert_as_own(&h,
                   DISPLACED("0.10000000149011612", "1, .5, .25", "-.5, 0, 0", "0.5", "0.5, 0, 0"));
     close_host(&h);
@@ -197,22 +197,22 @@ static void casts_otherwise(void **state)
     static const char *const methods[] = {"hybrid", "map",    "exact", "silhouette",
                                           "none",   "hybrid", "exact", "map"};
     Host h = open_host();
-    assert_true(matc_render_scene(h.render, h.scene));
+    assert_true(matc_renderer_set_scene(h.render, h.scene));
     /* it stays */
-    assert_true(matc_render_param(h.render, 0, "paint", (float[3]){.2f, .5f, .1f}, 3));
+    assert_true(matc_renderer_set_param(h.render, 0, "paint", (float[3]){.2f, .5f, .1f}, 3));
     for (size_t i = 0; i < sizeof methods / sizeof *methods; i++) {
         char to[64];
         snprintf(to, sizeof to, "intensity: 9, shadows: %s", methods[i]);
-        assert_true(matc_render_shadows(h.render, 0, methods[i]));
+        assert_true(matc_renderer_set_shadows(h.render, 0, methods[i]));
         char *changed = with("intensity: 9", to),
              *painted = changed_from(changed, "[.6, .3, .1]", "[.2, .5, .1]");
         assert_as_own(&h, painted);
         free(painted);
         free(changed);
     }
-    assert_false(matc_render_shadows(h.render, 0, "soft"));
-    assert_string_equal(matc_render_error(h.render), "the light 0 cannot have shadows 'soft'");
-    assert_false(matc_render_shadows(h.render, 1, "map"));
+    assert_false(matc_renderer_set_shadows(h.render, 0, "soft"));
+    assert_string_equal(matc_renderer_error(h.render), "the light 0 cannot have shadows 'soft'");
+    assert_false(matc_renderer_set_shadows(h.render, 1, "map"));
     close_host(&h);
 }
 
@@ -237,7 +237,7 @@ static void hides_and_removes(void **state)
 {
     (void)state;
     Host h = open_host_of(EDITED(USUAL, SMALL, BALL BOXES));
-    assert_true(matc_render_scene(h.render, h.scene));
+    assert_true(matc_renderer_set_scene(h.render, h.scene));
     const int ball = matc_scene_find_object(h.scene, "ball", -1);
     assert_int_equal(ball, 0);
     assert_true(matc_scene_set_visible(h.scene, ball, false));
@@ -246,9 +246,9 @@ static void hides_and_removes(void **state)
     double matrix[16]; /* what is hidden may move */
     matc_scene_matrix(h.scene, ball, matrix);
     matrix[14] = .5;
-    assert_true(matc_render_move(h.render, ball, matrix));
+    assert_true(matc_renderer_set_object(h.render, ball, matrix));
     matrix[14] = 0;
-    assert_true(matc_render_move(h.render, ball, matrix));
+    assert_true(matc_renderer_set_object(h.render, ball, matrix));
     assert_true(matc_scene_set_visible(h.scene, ball, true));
     assert_true(matc_renderer_update(h.render));
     assert_as_own(&h, EDITED(USUAL, SMALL, BALL BOXES));
@@ -257,7 +257,7 @@ static void hides_and_removes(void **state)
     assert_true(matc_renderer_update(h.render));
     assert_as_own(&h, EDITED(USUAL, SMALL, BALL));
     assert_true(matc_scene_remove_object(h.scene, ball)); /* nothing is left */
-    assert_true(matc_renderer_update(h.render) && matc_render_frame(h.render));
+    assert_true(matc_renderer_update(h.render) && matc_renderer_frame(h.render));
     close_host(&h);
 }
 
@@ -281,7 +281,7 @@ static void hides_from_every_shadow(void **state)
         free(without);
         Host h = open_host_of(whole);
         assert_true(matc_scene_set_visible(h.scene, 0, false));
-        assert_true(matc_render_scene(h.render, h.scene));
+        assert_true(matc_renderer_set_scene(h.render, h.scene));
         assert_as_own(&h, left);
         close_host(&h);
     }
@@ -293,7 +293,7 @@ static void hides_from_voxels(void **state)
     (void)state;
 #define LIT "indirect: { method: voxels, rays: 4 }\n"
     Host h = open_host_of(LIT EDITED(USUAL, SMALL, BALL BOXES));
-    assert_true(matc_render_scene(h.render, h.scene));
+    assert_true(matc_renderer_set_scene(h.render, h.scene));
     assert_as_own(&h, LIT EDITED(USUAL, SMALL, BALL BOXES));
     assert_true(matc_scene_set_visible(h.scene, 0, false));
     assert_true(matc_renderer_update(h.render));
@@ -312,7 +312,7 @@ static void adds_meshes(void **state)
     static const double matrix[16] = {2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, -1, -1, -.5, 1};
     const MatcMesh square = {sizeof square, positions, normals, coordinates, indices, 4, 6};
     Host h = open_host_of(EDITED(USUAL, SMALL, BALL BOXES));
-    assert_true(matc_render_scene(h.render, h.scene));
+    assert_true(matc_renderer_set_scene(h.render, h.scene));
     const int spare = matc_scene_find_material(h.scene, "spare"),
               mesh = matc_scene_add_mesh(h.scene, &square);
     assert_true(spare >= 0 && mesh >= 0);
@@ -344,14 +344,14 @@ static void projects_and_resizes(void **state)
 {
     (void)state;
     Host h = open_host_of(EDITED(USUAL, SMALL, BALL BOXES));
-    assert_true(matc_render_scene(h.render, h.scene));
+    assert_true(matc_renderer_set_scene(h.render, h.scene));
     assert_true(matc_renderer_set_perspective(h.render, 25, 4.5));
     assert_as_own(&h, EDITED("camera: Perspective, angle: 25, near: 4.5", SMALL, BALL BOXES));
     assert_true(matc_renderer_set_orthographic(h.render, 3, 5));
     assert_as_own(&h, EDITED("camera: Orthographic, size: 3, depth: 5", SMALL, BALL BOXES));
     assert_true(matc_renderer_set_perspective(h.render, 40, .01));
     assert_true(matc_renderer_set_size(h.render, 32, 48)); /* as many pixels, for read_host */
-    assert_int_equal(matc_render_width(h.render), 32);
+    assert_int_equal(matc_renderer_width(h.render), 32);
     assert_as_own(&h, EDITED(USUAL, "width: 32, height: 48", BALL BOXES));
     assert_true(matc_renderer_set_size(h.render, 0, 0));
     assert_as_own(&h, EDITED(USUAL, SMALL, BALL BOXES));
@@ -365,7 +365,7 @@ static void goes_by_time(void **state)
         "image: { width: 48, height: 32 }\nlights: [{ light: Ambient }]\nobjects:\n"
         "- { object: Sphere, material: { material: Phong, ambient: \"= .5 + .5 * sin(time)\" } }\n";
     Host h = open_host_of(moving);
-    assert_true(matc_render_scene(h.render, h.scene));
+    assert_true(matc_renderer_set_scene(h.render, h.scene));
     float *first = read_host(&h), *later, *back;
     assert_true(matc_renderer_set_time(h.render, 1.5707963267948966));
     later = read_host(&h);
@@ -390,7 +390,7 @@ static void draws_to_a_framebuffer(void **state)
     Host h = open_host_of(EDITED(USUAL, SMALL, BALL BOXES));
     GlContext *gl = h.owner;
     GLuint texture = 0, framebuffer = 0;
-    assert_true(matc_render_scene(h.render, h.scene));
+    assert_true(matc_renderer_set_scene(h.render, h.scene));
     float *picture = read_host(&h);
     gl->GenTextures(1, &texture);
     gl->BindTexture(GL_TEXTURE_2D, texture);
@@ -471,7 +471,7 @@ static void edits_refused(void **state)
     assert_false(matc_renderer_set_time(h.render, 1));
     assert_false(matc_renderer_set_perspective(h.render, 40, 1));
     assert_false(matc_renderer_draw(h.render, 0, rectangle));
-    assert_true(matc_render_scene(h.render, h.scene));
+    assert_true(matc_renderer_set_scene(h.render, h.scene));
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
         ((char *)matc_scene_error(h.scene))[0] = 0;
         assert_int_equal(matc_scene_add_mesh(h.scene, &wrong[i]), -1);
@@ -504,7 +504,7 @@ static void edits_refused(void **state)
                  matc_renderer_set_time(h.render, INFINITY) ||
                  matc_renderer_set_size(h.render, -1, 5) ||
                  matc_renderer_set_size(h.render, 5, 1 << 20));
-    assert_int_not_equal(strlen(matc_render_error(h.render)), 0);
+    assert_int_not_equal(strlen(matc_renderer_error(h.render)), 0);
     assert_true(matc_renderer_update(h.render));
     assert_as_own(&h, EDITED(USUAL, SMALL, BALL BOXES));
     close_host(&h);
@@ -517,29 +517,30 @@ static void refused(void **state)
     MatcDocument *document;
     Host h = open_host();
     const double nothing[16] = {NAN}, origin[3] = {0};
-    assert_null(matc_render_open(&(MatcRenderOptions){.load = load}, error, sizeof error));
+    assert_null(matc_renderer_open(&(MatcRendererOptions){.load = load}, error, sizeof error));
     assert_string_equal(error,
-                        "MatcRenderOptions.size is 0: it is to be sizeof(MatcRenderOptions)");
+                        "MatcRendererOptions.size is 0: it is to be sizeof(MatcRendererOptions)");
     assert_null(
-        matc_render_open(&(MatcRenderOptions){.size = sizeof(size_t)}, error, sizeof error));
+        matc_renderer_open(&(MatcRendererOptions){.size = sizeof(size_t)}, error, sizeof error));
     assert_string_equal(error, "no function that loads is given");
-    assert_null(matc_render_open(
-        &(MatcRenderOptions){sizeof(MatcRenderOptions), load, h.owner, NULL, "deep", 0, 0}, error,
-        sizeof error));
+    assert_null(matc_renderer_open(
+        &(MatcRendererOptions){sizeof(MatcRendererOptions), load, h.owner, NULL, "deep", 0, 0},
+        error, sizeof error));
     assert_non_null(strstr(error, "there is no view 'deep'"));
-    assert_false(matc_render_frame(h.render));
-    assert_false(matc_render_move(h.render, 0, nothing));
-    assert_string_equal(matc_render_error(h.render), "there is no scene to change");
-    assert_true(matc_render_scene(h.render, h.scene));
-    assert_false(matc_render_move(h.render, 2, nothing));
-    assert_string_equal(matc_render_error(h.render), "there is no object 2");
-    assert_false(matc_render_move(h.render, 1, nothing));
-    assert_string_equal(matc_render_error(h.render), "the matrix has what is no number");
-    assert_false(matc_render_look(h.render, origin, origin, origin));
-    assert_false(matc_render_look(h.render, (double[]){0, 0, 1}, origin, (double[]){0, 0, 2}));
-    assert_string_equal(matc_render_error(h.render), "up, seen along the view, has no direction");
-    assert_false(matc_render_light(h.render, -1, origin, origin));
-    assert_false(matc_render_param(h.render, 0, "paints", (float[3]){0}, 3));
+    assert_false(matc_renderer_frame(h.render));
+    assert_false(matc_renderer_set_object(h.render, 0, nothing));
+    assert_string_equal(matc_renderer_error(h.render), "there is no scene to change");
+    assert_true(matc_renderer_set_scene(h.render, h.scene));
+    assert_false(matc_renderer_set_object(h.render, 2, nothing));
+    assert_string_equal(matc_renderer_error(h.render), "there is no object 2");
+    assert_false(matc_renderer_set_object(h.render, 1, nothing));
+    assert_string_equal(matc_renderer_error(h.render), "the matrix has what is no number");
+    assert_false(matc_renderer_set_camera(h.render, origin, origin, origin));
+    assert_false(
+        matc_renderer_set_camera(h.render, (double[]){0, 0, 1}, origin, (double[]){0, 0, 2}));
+    assert_string_equal(matc_renderer_error(h.render), "up, seen along the view, has no direction");
+    assert_false(matc_renderer_set_light(h.render, -1, origin, origin));
+    assert_false(matc_renderer_set_param(h.render, 0, "paints", (float[3]){0}, 3));
     assert_as_own(&h, text); /* none of it changed anything */
     assert_null(matc_scene_read("m.yaml", "material: Phong\n", 16, NULL, &document));
     assert_non_null(strstr(matc_diagnostics(document, MATC_TEXT), "the document is no scene"));

@@ -3,7 +3,7 @@
  * the header without a row fails the test (api_rows.h). */
 #include "tests/test.h"
 #include "runtime/gl/backend.h"
-#include "runtime/render/matc_render.h"
+#include "runtime/renderer/matc_render.h"
 #include "tests/api_rows.h"
 #include "tests/frame/frame_draw.h"
 #include <limits.h>
@@ -27,27 +27,27 @@ static struct {
     GlContext *owner;
     MatcDocument *document;
     MatcScene *scene;
-    MatcRender *render, *empty;
+    MatcRenderer *render, *empty;
     float before[FLOATS];
 } of;
 
-static MatcRenderProc load(void *user, const char *name)
+static MatcRendererProc load(void *user, const char *name)
 {
     return gl_backend_osmesa.load(((const GlContext *)user)->state, name);
 }
 
-static MatcRenderProc load_nothing(void *user, const char *name)
+static MatcRendererProc load_nothing(void *user, const char *name)
 {
     (void)user;
     (void)name;
     return NULL;
 }
 
-static MatcRender *open_render(void)
+static MatcRenderer *open_renderer(void)
 {
-    const MatcRenderOptions options = {.size = sizeof options, .load = load, .user = of.owner};
+    const MatcRendererOptions options = {.size = sizeof options, .load = load, .user = of.owner};
     char error[MESSAGE] = "";
-    MatcRender *render = matc_render_open(&options, error, sizeof error);
+    MatcRenderer *render = matc_renderer_open(&options, error, sizeof error);
     if (!render)
         fail_msg("%s", error);
     return render;
@@ -58,18 +58,18 @@ static int open_all(void **state)
     (void)state;
     of.owner = frame_context();
     of.scene = matc_scene_read("scene.yaml", text, strlen(text), NULL, &of.document);
-    of.render = open_render();
-    of.empty = open_render();
-    assert_true(matc_render_scene(of.render, of.scene) && matc_render_frame(of.render));
-    assert_true(matc_render_read(of.render, of.before));
+    of.render = open_renderer();
+    of.empty = open_renderer();
+    assert_true(matc_renderer_set_scene(of.render, of.scene) && matc_renderer_frame(of.render));
+    assert_true(matc_renderer_read(of.render, of.before));
     return 0;
 }
 
 static int close_all(void **state)
 {
     (void)state;
-    matc_render_close(of.render);
-    matc_render_close(of.empty);
+    matc_renderer_close(of.render);
+    matc_renderer_close(of.empty);
     matc_scene_free(of.scene);
     matc_document_free(of.document);
     gl_close(of.owner);
@@ -80,8 +80,8 @@ static int close_all(void **state)
 
 static void forget_errors(void)
 {
-    *(char *)matc_render_error(of.render) = 0;
-    *(char *)matc_render_error(of.empty) = 0;
+    *(char *)matc_renderer_error(of.render) = 0;
+    *(char *)matc_renderer_error(of.empty) = 0;
     *(char *)matc_scene_error(of.scene) = 0;
 }
 
@@ -93,8 +93,8 @@ static void forget_errors(void)
             fail_msg("%s fails without a reason", #call);                                          \
     } while (0)
 #define SCENE_REFUSES(call)  REFUSED(call, matc_scene_error(of.scene))
-#define RENDER_REFUSES(call) REFUSED(call, matc_render_error(of.render))
-#define EMPTY_REFUSES(call)  REFUSED(call, matc_render_error(of.empty))
+#define RENDER_REFUSES(call) REFUSED(call, matc_renderer_error(of.render))
+#define EMPTY_REFUSES(call)  REFUSED(call, matc_renderer_error(of.empty))
 
 /* -- scenes */
 
@@ -242,113 +242,114 @@ static void wrong_scene_set_visible(void)
 
 /* -- renderers */
 
-static void wrong_render_open(void)
+static void wrong_renderer_open(void)
 {
     const MatcOptions unset = {.validate = true};
-    const MatcRenderOptions wrong[] = {
+    const MatcRendererOptions wrong[] = {
         {.load = load, .user = of.owner},
         /* a caller that knows no member */
         {.size = sizeof(size_t), .load = load, .user = of.owner},
-        {.size = sizeof(MatcRenderOptions)},
-        {.size = sizeof(MatcRenderOptions), .load = load_nothing},
-        {.size = sizeof(MatcRenderOptions), .load = load, .user = of.owner, .view = ""},
-        {.size = sizeof(MatcRenderOptions), .load = load, .user = of.owner, .view = "picture"},
-        {.size = sizeof(MatcRenderOptions), .load = load, .user = of.owner, .compile = &unset},
-        {.size = sizeof(MatcRenderOptions), .load = load, .user = of.owner, .width = -1},
-        {.size = sizeof(MatcRenderOptions), .load = load, .user = of.owner, .height = INT_MAX},
+        {.size = sizeof(MatcRendererOptions)},
+        {.size = sizeof(MatcRendererOptions), .load = load_nothing},
+        {.size = sizeof(MatcRendererOptions), .load = load, .user = of.owner, .view = ""},
+        {.size = sizeof(MatcRendererOptions), .load = load, .user = of.owner, .view = "picture"},
+        {.size = sizeof(MatcRendererOptions), .load = load, .user = of.owner, .compile = &unset},
+        {.size = sizeof(MatcRendererOptions), .load = load, .user = of.owner, .width = -1},
+        {.size = sizeof(MatcRendererOptions), .load = load, .user = of.owner, .height = INT_MAX},
     };
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
         char error[MESSAGE] = "";
-        assert_null(matc_render_open(&wrong[i], error, sizeof error));
+        assert_null(matc_renderer_open(&wrong[i], error, sizeof error));
         assert_true(*error);
         /* room for the terminating zero alone */
-        assert_null(matc_render_open(&wrong[i], error, 1));
+        assert_null(matc_renderer_open(&wrong[i], error, 1));
         assert_int_equal(*error, 0);
-        assert_null(matc_render_open(&wrong[i], NULL, 0));
+        assert_null(matc_renderer_open(&wrong[i], NULL, 0));
     }
     char error[MESSAGE] = "";
-    assert_null(matc_render_open(NULL, error, sizeof error));
+    assert_null(matc_renderer_open(NULL, error, sizeof error));
     assert_string_equal(error, "the options are NULL");
 }
 
-static void wrong_render_close(void) { matc_render_close(NULL); }
-static void wrong_render_error(void)
+static void wrong_renderer_close(void) { matc_renderer_close(NULL); }
+static void wrong_renderer_error(void)
 {
-    assert_string_equal(matc_render_error(NULL), "the renderer is NULL");
+    assert_string_equal(matc_renderer_error(NULL), "the renderer is NULL");
 }
 
-static void wrong_render_scene(void)
+static void wrong_renderer_set_scene(void)
 {
-    assert_false(matc_render_scene(NULL, of.scene));
-    RENDER_REFUSES(matc_render_scene(of.render, NULL));
+    assert_false(matc_renderer_set_scene(NULL, of.scene));
+    RENDER_REFUSES(matc_renderer_set_scene(of.render, NULL));
 }
 
-static void wrong_render_move(void)
+static void wrong_renderer_set_object(void)
 {
     const double none[16] = {INFINITY};
-    assert_false(matc_render_move(NULL, 0, identity));
-    EMPTY_REFUSES(matc_render_move(of.empty, 0, identity));
-    RENDER_REFUSES(matc_render_move(of.render, 0, NULL));
-    RENDER_REFUSES(matc_render_move(of.render, 0, none));
+    assert_false(matc_renderer_set_object(NULL, 0, identity));
+    EMPTY_REFUSES(matc_renderer_set_object(of.empty, 0, identity));
+    RENDER_REFUSES(matc_renderer_set_object(of.render, 0, NULL));
+    RENDER_REFUSES(matc_renderer_set_object(of.render, 0, none));
     for (int i = 0; i < OUTSIDE; i++)
-        RENDER_REFUSES(matc_render_move(of.render, outside[i], identity));
+        RENDER_REFUSES(matc_renderer_set_object(of.render, outside[i], identity));
 }
 
-static void wrong_render_look(void)
+static void wrong_renderer_set_camera(void)
 {
     const double from[3] = {0, -5, 1}, up[3] = {0, 0, 1}, none[3] = {0, NAN, 0},
                  far_off[3] = {0, 0, INFINITY};
-    assert_false(matc_render_look(NULL, from, origin, up));
-    EMPTY_REFUSES(matc_render_look(of.empty, from, origin, up));
-    RENDER_REFUSES(matc_render_look(of.render, NULL, origin, up));
-    RENDER_REFUSES(matc_render_look(of.render, from, NULL, up));
-    RENDER_REFUSES(matc_render_look(of.render, from, origin, NULL));
-    RENDER_REFUSES(matc_render_look(of.render, none, origin, up));
-    RENDER_REFUSES(matc_render_look(of.render, from, far_off, up));
-    RENDER_REFUSES(matc_render_look(of.render, from, origin, none));
-    RENDER_REFUSES(matc_render_look(of.render, from, origin, origin)); /* up has no direction */
-    RENDER_REFUSES(matc_render_look(of.render, from, from, up));
-    RENDER_REFUSES(matc_render_look(of.render, up, origin, up));
+    assert_false(matc_renderer_set_camera(NULL, from, origin, up));
+    EMPTY_REFUSES(matc_renderer_set_camera(of.empty, from, origin, up));
+    RENDER_REFUSES(matc_renderer_set_camera(of.render, NULL, origin, up));
+    RENDER_REFUSES(matc_renderer_set_camera(of.render, from, NULL, up));
+    RENDER_REFUSES(matc_renderer_set_camera(of.render, from, origin, NULL));
+    RENDER_REFUSES(matc_renderer_set_camera(of.render, none, origin, up));
+    RENDER_REFUSES(matc_renderer_set_camera(of.render, from, far_off, up));
+    RENDER_REFUSES(matc_renderer_set_camera(of.render, from, origin, none));
+    RENDER_REFUSES(
+        matc_renderer_set_camera(of.render, from, origin, origin)); /* up has no direction */
+    RENDER_REFUSES(matc_renderer_set_camera(of.render, from, from, up));
+    RENDER_REFUSES(matc_renderer_set_camera(of.render, up, origin, up));
 }
 
-static void wrong_render_light(void)
+static void wrong_renderer_set_light(void)
 {
     const double none[3] = {NAN, 0, 0};
-    assert_false(matc_render_light(NULL, 0, origin, origin));
-    EMPTY_REFUSES(matc_render_light(of.empty, 0, origin, origin));
-    RENDER_REFUSES(matc_render_light(of.render, 0, NULL, origin));
-    RENDER_REFUSES(matc_render_light(of.render, 0, origin, NULL));
-    RENDER_REFUSES(matc_render_light(of.render, 0, none, origin));
-    RENDER_REFUSES(matc_render_light(of.render, 0, origin, none));
+    assert_false(matc_renderer_set_light(NULL, 0, origin, origin));
+    EMPTY_REFUSES(matc_renderer_set_light(of.empty, 0, origin, origin));
+    RENDER_REFUSES(matc_renderer_set_light(of.render, 0, NULL, origin));
+    RENDER_REFUSES(matc_renderer_set_light(of.render, 0, origin, NULL));
+    RENDER_REFUSES(matc_renderer_set_light(of.render, 0, none, origin));
+    RENDER_REFUSES(matc_renderer_set_light(of.render, 0, origin, none));
     for (int i = 0; i < OUTSIDE; i++)
-        RENDER_REFUSES(matc_render_light(of.render, outside[i], origin, origin));
+        RENDER_REFUSES(matc_renderer_set_light(of.render, outside[i], origin, origin));
 }
 
-static void wrong_render_shadows(void)
+static void wrong_renderer_set_shadows(void)
 {
-    assert_false(matc_render_shadows(NULL, 0, "map"));
-    EMPTY_REFUSES(matc_render_shadows(of.empty, 0, "map"));
-    RENDER_REFUSES(matc_render_shadows(of.render, 0, NULL));
-    RENDER_REFUSES(matc_render_shadows(of.render, 0, ""));
-    RENDER_REFUSES(matc_render_shadows(of.render, 0, "maps"));
+    assert_false(matc_renderer_set_shadows(NULL, 0, "map"));
+    EMPTY_REFUSES(matc_renderer_set_shadows(of.empty, 0, "map"));
+    RENDER_REFUSES(matc_renderer_set_shadows(of.render, 0, NULL));
+    RENDER_REFUSES(matc_renderer_set_shadows(of.render, 0, ""));
+    RENDER_REFUSES(matc_renderer_set_shadows(of.render, 0, "maps"));
     for (int i = 0; i < OUTSIDE; i++)
-        RENDER_REFUSES(matc_render_shadows(of.render, outside[i], "map"));
+        RENDER_REFUSES(matc_renderer_set_shadows(of.render, outside[i], "map"));
 }
 
-static void wrong_render_param(void)
+static void wrong_renderer_set_param(void)
 {
     const float lanes[5] = {0}, none[3] = {0, NAN, 0};
     static const int counts[] = {0, -1, 1, 2, 4, 5, INT_MAX, INT_MIN};
-    assert_false(matc_render_param(NULL, 0, "paint", lanes, 3));
-    EMPTY_REFUSES(matc_render_param(of.empty, 0, "paint", lanes, 3));
-    RENDER_REFUSES(matc_render_param(of.render, 0, NULL, lanes, 3));
-    RENDER_REFUSES(matc_render_param(of.render, 0, "paints", lanes, 3));
-    RENDER_REFUSES(matc_render_param(of.render, 0, "paint", NULL, 3));
-    RENDER_REFUSES(matc_render_param(of.render, 0, "paint", none, 3));
+    assert_false(matc_renderer_set_param(NULL, 0, "paint", lanes, 3));
+    EMPTY_REFUSES(matc_renderer_set_param(of.empty, 0, "paint", lanes, 3));
+    RENDER_REFUSES(matc_renderer_set_param(of.render, 0, NULL, lanes, 3));
+    RENDER_REFUSES(matc_renderer_set_param(of.render, 0, "paints", lanes, 3));
+    RENDER_REFUSES(matc_renderer_set_param(of.render, 0, "paint", NULL, 3));
+    RENDER_REFUSES(matc_renderer_set_param(of.render, 0, "paint", none, 3));
     for (size_t i = 0; i < sizeof counts / sizeof *counts; i++)
-        RENDER_REFUSES(matc_render_param(of.render, 0, "paint", lanes, counts[i]));
+        RENDER_REFUSES(matc_renderer_set_param(of.render, 0, "paint", lanes, counts[i]));
     for (int i = 0; i < OUTSIDE; i++)
-        RENDER_REFUSES(matc_render_param(of.render, outside[i], "paint", lanes, 3));
+        RENDER_REFUSES(matc_renderer_set_param(of.render, outside[i], "paint", lanes, 3));
 }
 
 static void wrong_renderer_set_perspective(void)
@@ -413,31 +414,31 @@ static void wrong_renderer_draw(void)
         RENDER_REFUSES(matc_renderer_draw(of.render, 0, wrong[i]));
 }
 
-static void wrong_render_frame(void)
+static void wrong_renderer_frame(void)
 {
-    assert_false(matc_render_frame(NULL));
-    EMPTY_REFUSES(matc_render_frame(of.empty));
+    assert_false(matc_renderer_frame(NULL));
+    EMPTY_REFUSES(matc_renderer_frame(of.empty));
 }
 
-static void wrong_render_width(void)
+static void wrong_renderer_width(void)
 {
-    assert_int_equal(matc_render_width(NULL) + matc_render_width(of.empty), 0);
+    assert_int_equal(matc_renderer_width(NULL) + matc_renderer_width(of.empty), 0);
 }
-static void wrong_render_height(void)
+static void wrong_renderer_height(void)
 {
-    assert_int_equal(matc_render_height(NULL) + matc_render_height(of.empty), 0);
+    assert_int_equal(matc_renderer_height(NULL) + matc_renderer_height(of.empty), 0);
 }
-static void wrong_render_texture(void)
+static void wrong_renderer_texture(void)
 {
-    assert_int_equal(matc_render_texture(NULL) + matc_render_texture(of.empty), 0);
+    assert_int_equal(matc_renderer_texture(NULL) + matc_renderer_texture(of.empty), 0);
 }
 
-static void wrong_render_read(void)
+static void wrong_renderer_read(void)
 {
     float floats[4];
-    assert_false(matc_render_read(NULL, floats));
-    EMPTY_REFUSES(matc_render_read(of.empty, floats));
-    RENDER_REFUSES(matc_render_read(of.render, NULL));
+    assert_false(matc_renderer_read(NULL, floats));
+    EMPTY_REFUSES(matc_renderer_read(of.empty, floats));
+    RENDER_REFUSES(matc_renderer_read(of.render, NULL));
 }
 
 #define ROW(name)                                                                                  \
@@ -460,35 +461,35 @@ static const ApiRow rows[] = {
     ROW(scene_add_object),
     ROW(scene_remove_object),
     ROW(scene_set_visible),
-    ROW(render_open),
-    ROW(render_close),
-    ROW(render_error),
-    ROW(render_scene),
-    ROW(render_move),
-    ROW(render_look),
-    ROW(render_light),
-    ROW(render_shadows),
-    ROW(render_param),
+    ROW(renderer_open),
+    ROW(renderer_close),
+    ROW(renderer_error),
+    ROW(renderer_set_scene),
+    ROW(renderer_set_object),
+    ROW(renderer_set_camera),
+    ROW(renderer_set_light),
+    ROW(renderer_set_shadows),
+    ROW(renderer_set_param),
     ROW(renderer_set_perspective),
     ROW(renderer_set_orthographic),
     ROW(renderer_set_time),
     ROW(renderer_set_size),
     ROW(renderer_update),
     ROW(renderer_draw),
-    ROW(render_frame),
-    ROW(render_width),
-    ROW(render_height),
-    ROW(render_texture),
-    ROW(render_read),
+    ROW(renderer_frame),
+    ROW(renderer_width),
+    ROW(renderer_height),
+    ROW(renderer_texture),
+    ROW(renderer_read),
 };
 
 static void wrong_arguments_of_every_function(void **state)
 {
     (void)state;
     float after[FLOATS];
-    api_rows_run("runtime/render/matc_render.h", rows, sizeof rows / sizeof *rows);
-    assert_true(matc_renderer_update(of.render) && matc_render_frame(of.render) &&
-                matc_render_read(of.render, after));
+    api_rows_run("runtime/renderer/matc_render.h", rows, sizeof rows / sizeof *rows);
+    assert_true(matc_renderer_update(of.render) && matc_renderer_frame(of.render) &&
+                matc_renderer_read(of.render, after));
     assert_memory_equal(after, of.before, sizeof after);
 }
 

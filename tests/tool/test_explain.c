@@ -57,7 +57,7 @@ static Look look_of(const char *text, bool sky)
     compile.pass = sky ? "sky" : NULL;
     MatcDocument *document = matc_read("examples/example.yaml", text, strlen(text), &compile);
     assert_string_equal(matc_diagnostics(document, MATC_TEXT), "");
-    const MaterialPictureOptions options = {.pictures = {.render = {.compile = &compile}},
+    const MaterialPictureOptions options = {.pictures = {.renderer = {.compile = &compile}},
                                             .preview = {.width = SIDE, .height = SIDE, .sky = sky}};
     draw_pixels(document, &options, rgb);
     matc_document_free(document);

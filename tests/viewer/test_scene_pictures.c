@@ -93,13 +93,14 @@ static void frames_of_one_renderer(void **state)
         snprintf(text, sizeof text, SOLIDS, cameras[i]);
         Scene *scene = frame_scene(text, &compile, &document);
         ScenePictureOptions options = {
-            .render = {.compile = &compile, .edges = RENDER_EDGES_coverage}};
+            .renderer = {.compile = &compile, .edges = RENDERER_EDGES_coverage}};
         /* the lines of edges, of another number */
         assert_int_equal(draw_both(gl, scene, &options), 1);
-        options.render.tile[0] = options.render.tile[1] = 20;
+        options.renderer.tile[0] = options.renderer.tile[1] = 20;
         assert_int_equal(draw_both(gl, scene, &options), 1);
-        options = (ScenePictureOptions){.render = {.compile = &compile, .transparency = "peeling"},
-                                        .format = PICTURE_FORMAT_exr};
+        options =
+            (ScenePictureOptions){.renderer = {.compile = &compile, .transparency = "peeling"},
+                                  .format = PICTURE_FORMAT_exr};
         assert_int_equal(draw_both(gl, scene, &options), 0);
         frame_forget(scene, document);
     }

@@ -3,8 +3,8 @@
  * nothing moves, none of this code runs. */
 #include "runtime/indirect/filter/indirect_motion.h"
 #include "gen/render_text.h"
-#include "runtime/frame/frame.h"
-#include "runtime/frame/surface_draw.h"
+#include "runtime/frame_graph/frame.h"
+#include "runtime/frame_graph/surface_draw.h"
 #include "runtime/indirect/voxels/voxels.h"
 #include "runtime/scene/scene_matrix.h"
 #include <math.h>
@@ -13,42 +13,42 @@
 
 enum { DEPTH_UNIT = 0 /* the unit of samplers that are not set */ };
 
-static bool make_number(Render *render, IndirectMotion *motion)
+static bool make_number(Renderer *renderer, IndirectMotion *motion)
 {
-    const char *head = render->gl->major * 10 + render->gl->minor >= 45 ? "#version 450 core\n"
-                                                                        : "#version 330 core\n";
+    const char *head = renderer->gl->major * 10 + renderer->gl->minor >= 45 ? "#version 450 core\n"
+                                                                            : "#version 330 core\n";
     const ProgramText text = {.vertex = {head, render_text_shadow_depth},
                               .fragment = {head, render_text_indirect_motion}};
-    return material_make(render->store, NULL, &text, &motion->number);
+    return material_make(renderer->store, NULL, &text, &motion->number);
 }
 
-bool indirect_motion_make(Render *render)
+bool indirect_motion_make(Renderer *renderer)
 {
-    IndirectMotion *motion = &render->indirect->motion;
-    const Scene *scene = render->scene;
+    IndirectMotion *motion = &renderer->indirect->motion;
+    const Scene *scene = renderer->scene;
     if (!scene->indirect.history)
         return true;
     motion->kept = malloc((size_t)scene->object_count * sizeof *motion->kept + 1);
     if (!motion->kept)
-        return gl_fail(render->gl, "out of memory");
+        return gl_fail(renderer->gl, "out of memory");
     motion->first = 0;
     motion->end = scene->object_count;
-    indirect_motion_end(render);
+    indirect_motion_end(renderer);
     return true;
 }
 
-void indirect_motion_delete(Render *render)
+void indirect_motion_delete(Renderer *renderer)
 {
-    IndirectMotion *motion = &render->indirect->motion;
+    IndirectMotion *motion = &renderer->indirect->motion;
     free(motion->kept);
     material_delete(&motion->number);
-    framebuffer_delete(render->gl, &motion->seen);
+    framebuffer_delete(renderer->gl, &motion->seen);
     *motion = (IndirectMotion){.kept = NULL};
 }
 
-void indirect_motion_add(Render *render, int first, int count)
+void indirect_motion_add(Renderer *renderer, int first, int count)
 {
-    IndirectMotion *motion = &render->indirect->motion;
+    IndirectMotion *motion = &renderer->indirect->motion;
     if (!motion->kept || !count)
         return;
     const bool none = motion->first >= motion->end;
@@ -56,11 +56,11 @@ void indirect_motion_add(Render *render, int first, int count)
     motion->end = none || first + count > motion->end ? first + count : motion->end;
 }
 
-void indirect_motion_end(Render *render)
+void indirect_motion_end(Renderer *renderer)
 {
-    IndirectMotion *motion = &render->indirect->motion;
+    IndirectMotion *motion = &renderer->indirect->motion;
     for (int i = motion->first; motion->kept && i < motion->end; i++)
-        motion->kept[i] = render->scene->objects[i].world_from_local;
+        motion->kept[i] = renderer->scene->objects[i].world_from_local;
     motion->first = motion->end = 0;
 }
 
@@ -96,13 +96,14 @@ static void add_box(const VoxelRange *added, VoxelRange *boxes, int *count)
 }
 
 /* Returns the bounding box of an object in world space; that of a plane is infinite. */
-static VoxelRange range_of(const Render *render, int object, const SceneMatrix *matrix)
+static VoxelRange range_of(const Renderer *renderer, int object, const SceneMatrix *matrix)
 {
-    const int place = render->gpu_scene.place_of[object];
+    const int place = renderer->gpu_scene.place_of[object];
     VoxelRange range = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
     if (place < 0)
         return everywhere;
-    voxel_grid_add(&render->gpu_scene.boxes[render->gpu_scene.places[place].mesh], matrix, &range);
+    voxel_grid_add(&renderer->gpu_scene.boxes[renderer->gpu_scene.places[place].mesh], matrix,
+                   &range);
     return range;
 }
 
@@ -134,15 +135,18 @@ static void put_step(const double eye[16], const CullBox *box, const SceneMatrix
 
 /* columns = was_eye_from_world * was_world_from_local * local_from_world * world_from_eye.
  * Returns false if a matrix has no inverse. */
-static bool find_motion(const Render *render, const double was[16], int object, float (*columns)[4])
+static bool find_motion(const Renderer *renderer, const double was[16], int object,
+                        float (*columns)[4])
 {
     SceneMatrix before, eye, local_from_world, world_from_eye;
     memcpy(before.m, was, sizeof before.m);
-    memcpy(eye.m, render->space.eye_from_world, sizeof eye.m);
-    if (!scene_matrix_invert(&render->scene->objects[object].world_from_local, &local_from_world) ||
+    memcpy(eye.m, renderer->space.eye_from_world, sizeof eye.m);
+    if (!scene_matrix_invert(&renderer->scene->objects[object].world_from_local,
+                             &local_from_world) ||
         !scene_matrix_invert(&eye, &world_from_eye))
         return false;
-    const SceneMatrix left = scene_matrix_multiply(&before, &render->indirect->motion.kept[object]);
+    const SceneMatrix left =
+        scene_matrix_multiply(&before, &renderer->indirect->motion.kept[object]);
     const SceneMatrix right = scene_matrix_multiply(&local_from_world, &world_from_eye);
     const SceneMatrix all = scene_matrix_multiply(&left, &right);
     for (int i = 0; i < 16; i++)
@@ -150,83 +154,84 @@ static bool find_motion(const Render *render, const double was[16], int object, 
     return true;
 }
 
-static void draw_number(Render *render, int object, int number)
+static void draw_number(Renderer *renderer, int object, int number)
 {
-    Material *material = &render->indirect->motion.number;
-    const SceneMatrix *world_from_local = &render->scene->objects[object].world_from_local;
-    const GpuScenePlace *place = &render->gpu_scene.places[render->gpu_scene.place_of[object]];
-    Spaces spaces = render->space.spaces;
+    Material *material = &renderer->indirect->motion.number;
+    const SceneMatrix *world_from_local = &renderer->scene->objects[object].world_from_local;
+    const GpuScenePlace *place = &renderer->gpu_scene.places[renderer->gpu_scene.place_of[object]];
+    Spaces spaces = renderer->space.spaces;
     for (int i = 0; i < 16; i++)
         spaces.world_from_local.m[i] = (float)world_from_local->m[i];
     spaces_set(&spaces, material);
     material_set_number(material, "motion_number", (float)number);
     material_use(material);
-    mesh_draw(render->gl, &render->gpu_scene.meshes[place->mesh]);
+    mesh_draw(renderer->gl, &renderer->gpu_scene.meshes[place->mesh]);
 }
 
 /* Draws a visible object's motion id: the next one, or, if its motion cannot be stored, the id
  * one past the last, which marks an unknown motion. */
-static void number_object(Render *render, const double was[16], int object, float (*block)[4])
+static void number_object(Renderer *renderer, const double was[16], int object, float (*block)[4])
 {
-    const int next = (int)block[HISTORY_COUNTS][1], place = render->gpu_scene.place_of[object];
-    const SceneMatrix *matrix = &render->scene->objects[object].world_from_local;
-    if (place < 0 || render->gpu_scene.places[place].transparent)
+    const int next = (int)block[HISTORY_COUNTS][1], place = renderer->gpu_scene.place_of[object];
+    const SceneMatrix *matrix = &renderer->scene->objects[object].world_from_local;
+    if (place < 0 || renderer->gpu_scene.places[place].transparent)
         return;
-    const CullBox *box = &render->gpu_scene.boxes[render->gpu_scene.places[place].mesh];
-    if (!cull_sees(&render->volume, box, matrix))
+    const CullBox *box = &renderer->gpu_scene.boxes[renderer->gpu_scene.places[place].mesh];
+    if (!cull_sees(&renderer->volume, box, matrix))
         return;
     const bool known = next < HISTORY_MOTIONS_MOST &&
-                       find_motion(render, was, object, block + HISTORY_MOTIONS + 4 * next);
+                       find_motion(renderer, was, object, block + HISTORY_MOTIONS + 4 * next);
     if (known)
-        put_step(was, box, matrix, &render->indirect->motion.kept[object],
+        put_step(was, box, matrix, &renderer->indirect->motion.kept[object],
                  block[HISTORY_STEPS + next]);
     block[HISTORY_COUNTS][1] += known;
-    draw_number(render, object, known ? next + 1 : HISTORY_MOTIONS_MOST + 1);
+    draw_number(renderer, object, known ? next + 1 : HISTORY_MOTIONS_MOST + 1);
 }
 
-static bool has_moved(const Render *render, int object)
+static bool has_moved(const Renderer *renderer, int object)
 {
-    return memcmp(&render->indirect->motion.kept[object],
-                  &render->scene->objects[object].world_from_local, sizeof(SceneMatrix)) != 0;
+    return memcmp(&renderer->indirect->motion.kept[object],
+                  &renderer->scene->objects[object].world_from_local, sizeof(SceneMatrix)) != 0;
 }
 
 /* Makes the target of motion ids on first use, and clears it. */
-static bool begin(Render *render, IndirectMotion *motion)
+static bool begin(Renderer *renderer, IndirectMotion *motion)
 {
     static const GLuint none[4];
     const FramebufferSpec spec = {
-        .width = render->size[0], .height = render->size[1], .color_count = 1};
+        .width = renderer->size[0], .height = renderer->size[1], .color_count = 1};
     if (!motion->seen.name &&
-        (!make_number(render, motion) ||
-         !framebuffer_make_named(render->gl, &spec, (const char *const[]){"R32UI"}, &motion->seen)))
+        (!make_number(renderer, motion) ||
+         !framebuffer_make_named(renderer->gl, &spec, (const char *const[]){"R32UI"},
+                                 &motion->seen)))
         return false;
-    surface_draw_begin(render, &motion->seen, GL_ALWAYS);
-    render->gl->ClearBufferuiv(GL_COLOR, 0, none);
-    texture_bind(render->gl, frame_texture(render, FRAME_TARGET_depth, 0), DEPTH_UNIT);
+    surface_draw_begin(renderer, &motion->seen, GL_ALWAYS);
+    renderer->gl->ClearBufferuiv(GL_COLOR, 0, none);
+    texture_bind(renderer->gl, frame_texture(renderer, FRAME_TARGET_depth, 0), DEPTH_UNIT);
     return true;
 }
 
-bool indirect_motion_draw(Render *render, const double was[16], float (*block)[4])
+bool indirect_motion_draw(Renderer *renderer, const double was[16], float (*block)[4])
 {
-    IndirectMotion *motion = &render->indirect->motion;
+    IndirectMotion *motion = &renderer->indirect->motion;
     VoxelRange boxes[HISTORY_BOXES_MOST];
     int count = 0;
     memset(block[HISTORY_COUNTS], 0, sizeof *block);
     for (int i = motion->first; motion->kept && i < motion->end; i++) {
-        if (!has_moved(render, i))
+        if (!has_moved(renderer, i))
             continue;
-        if (!count && !begin(render, motion)) {
+        if (!count && !begin(renderer, motion)) {
             boxes[count++] = everywhere; /* without motion ids all history is suspect */
             break;
         }
-        const VoxelRange then = range_of(render, i, &motion->kept[i]);
-        const VoxelRange now = range_of(render, i, &render->scene->objects[i].world_from_local);
+        const VoxelRange then = range_of(renderer, i, &motion->kept[i]);
+        const VoxelRange now = range_of(renderer, i, &renderer->scene->objects[i].world_from_local);
         add_box(&then, boxes, &count);
         add_box(&now, boxes, &count);
-        number_object(render, was, i, block);
+        number_object(renderer, was, i, block);
     }
     if (count)
-        surface_draw_end(render);
+        surface_draw_end(renderer);
     put_boxes(boxes, count, block);
     return count > 0;
 }

@@ -4,16 +4,16 @@
 #define MATC_INDIRECT_INDIRECT_MOTION_H
 #include "runtime/indirect/settings/indirect_state.h"
 #include "gen/history_layout.h"
-#include "runtime/frame/render_options.h"
+#include "runtime/frame_graph/renderer_options.h"
 
 /* Returns false if memory runs out; see the context's error. */
-bool indirect_motion_make(Render *render);
-void indirect_motion_delete(Render *render);
+bool indirect_motion_make(Renderer *renderer);
+void indirect_motion_delete(Renderer *renderer);
 /* Records that `count` objects from `first` on may have moved. */
-void indirect_motion_add(Render *render, int first, int count);
+void indirect_motion_add(Renderer *renderer, int first, int count);
 /* Draws the ids of moved objects, and fills counts, boxes, steps and motions of the block
  * History. `was` is the eye space of the previous frame. Returns false if nothing moved. */
-bool indirect_motion_draw(Render *render, const double was[16], float (*block)[4]);
+bool indirect_motion_draw(Renderer *renderer, const double was[16], float (*block)[4]);
 /* Stores the objects' current matrices as those of the accumulated samples. */
-void indirect_motion_end(Render *render);
+void indirect_motion_end(Renderer *renderer);
 #endif

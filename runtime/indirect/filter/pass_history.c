@@ -2,7 +2,7 @@
  * other surfaces. Its targets are two of each kind, which swap every frame. Its GLSL is
  * pass_history.glsl, after indirect_place.glsl. */
 #include "gen/render_text.h"
-#include "runtime/frame/frame.h"
+#include "runtime/frame_graph/frame.h"
 #include "runtime/indirect/filter/indirect_motion.h"
 #include "runtime/indirect/rays/pass_rays.h"
 #include "runtime/indirect/filter/pass_smooth.h"
@@ -13,41 +13,42 @@
 
 enum { RAYS_UNIT = INDIRECT_FREE_UNIT, VALUES_UNIT, PLACES_UNIT, MOVED_UNIT };
 
-static bool make_target(Render *render, Framebuffer *made)
+static bool make_target(Renderer *renderer, Framebuffer *made)
 {
-    const FramebufferSpec spec = {.width = frame_edge(render, FRAME_TARGET_rays, 0),
-                                  .height = frame_edge(render, FRAME_TARGET_rays, 1),
+    const FramebufferSpec spec = {.width = frame_edge(renderer, FRAME_TARGET_rays, 0),
+                                  .height = frame_edge(renderer, FRAME_TARGET_rays, 1),
                                   .color_count = 1};
-    return framebuffer_make_named(render->gl, &spec, (const char *const[]){"RGBA32F"}, made);
+    return framebuffer_make_named(renderer->gl, &spec, (const char *const[]){"RGBA32F"}, made);
 }
 
-static bool make_pass(Render *render, bool place, ScreenPass *pass)
+static bool make_pass(Renderer *renderer, bool place, ScreenPass *pass)
 {
     char defined[INDIRECT_DEFINITIONS];
-    indirect_define(render, indirect_coarse(render), defined);
-    const ScreenPassText text = {.body = {indirect_surface_text(render), defined,
+    indirect_define(renderer, indirect_coarse(renderer), defined);
+    const ScreenPassText text = {.body = {indirect_surface_text(renderer), defined,
                                           place ? "#define HISTORY_PLACE\n" : "",
                                           render_text_indirect_place, render_text_pass_history},
                                  .format = "RGBA32F",
-                                 .compute = render->compute};
-    if (!screen_pass_make(render->store, &text, pass))
+                                 .compute = renderer->compute};
+    if (!screen_pass_make(renderer->store, &text, pass))
         return false;
     screen_pass_sampler(pass, "history_rays", RAYS_UNIT);
     screen_pass_sampler(pass, "history_values", VALUES_UNIT);
     screen_pass_sampler(pass, "history_places", PLACES_UNIT);
     screen_pass_sampler(pass, "history_moved", MOVED_UNIT);
-    indirect_set(render, pass);
+    indirect_set(renderer, pass);
     return true;
 }
 
-static bool pass_history_make(Render *render)
+static bool pass_history_make(Renderer *renderer)
 {
-    IndirectHistory *history = &render->indirect->history;
+    IndirectHistory *history = &renderer->indirect->history;
     bool done =
-        make_pass(render, false, &history->blend) && make_pass(render, true, &history->place);
+        make_pass(renderer, false, &history->blend) && make_pass(renderer, true, &history->place);
     for (int i = 0; done && i < 2; i++)
-        done = make_target(render, &history->values[i]) && make_target(render, &history->places[i]);
-    return done && indirect_motion_make(render);
+        done = make_target(renderer, &history->values[i]) &&
+               make_target(renderer, &history->places[i]);
+    return done && indirect_motion_make(renderer);
 }
 
 /* Inverse of the eye's matrix, which is rigid: the inverse of its rotation is the transpose. */
@@ -75,69 +76,70 @@ static void put_product(const double a[16], const double b[16], float made[4][4]
 
 /* Returns the distance from a moved object, in world units, within which ambient occlusion may
  * change: the length of a ray plus two voxels. */
-static double reach_of(const Render *render)
+static double reach_of(const Renderer *renderer)
 {
-    const double voxel =
-        indirect_reads_voxels(render) ? voxel_grid(render->scene, &render->gpu_scene).edge : 0;
-    return voxel_grid_radius(render->scene, &render->gpu_scene) + 2 * voxel;
+    const double voxel = indirect_reads_voxels(renderer)
+                             ? voxel_grid(renderer->scene, &renderer->gpu_scene).edge
+                             : 0;
+    return voxel_grid_radius(renderer->scene, &renderer->gpu_scene) + 2 * voxel;
 }
 
-static unsigned doubts_of(const Render *render)
+static unsigned doubts_of(const Renderer *renderer)
 {
     /* screen-space hits change with every move of the camera */
-    const bool shown = !indirect_reads_radiance(render);
-    return render->indirect->history.doubts |
+    const bool shown = !indirect_reads_radiance(renderer);
+    return renderer->indirect->history.doubts |
            (shown ? INDIRECT_DOUBT_light | INDIRECT_DOUBT_openness : 0);
 }
 
 /* Returns the number of elements to write: data of moved objects is at the end. */
-static int fill_block(Render *render, float (*block)[4])
+static int fill_block(Renderer *renderer, float (*block)[4])
 {
     static const double one[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
-    const IndirectHistory *history = &render->indirect->history;
-    const unsigned doubts = doubts_of(render);
+    const IndirectHistory *history = &renderer->indirect->history;
+    const unsigned doubts = doubts_of(renderer);
     double world_from_eye[16];
-    invert_eye(render->space.eye_from_world, world_from_eye);
+    invert_eye(renderer->space.eye_from_world, world_from_eye);
     put_product(one, world_from_eye, block + HISTORY_WORLD);
     put_product(history->eye_from_world, world_from_eye, block + HISTORY_FROM_EYE);
     memcpy(block[HISTORY_RAY], history->ray, sizeof *block);
     memcpy(block[HISTORY_VIEW], history->depth, sizeof *block);
-    block[HISTORY_LIMITS][0] = (float)indirect_most_sets(render);
+    block[HISTORY_LIMITS][0] = (float)indirect_most_sets(renderer);
     block[HISTORY_LIMITS][1] = history->there;
     block[HISTORY_LIMITS][2] = history->still;
     block[HISTORY_DOUBTS][0] = (doubts & INDIRECT_DOUBT_light) != 0;
     block[HISTORY_DOUBTS][1] = (doubts & INDIRECT_DOUBT_openness) != 0;
-    block[HISTORY_DOUBTS][2] = (float)reach_of(render);
+    block[HISTORY_DOUBTS][2] = (float)reach_of(renderer);
     const bool moved = history->there && !history->still &&
-                       indirect_motion_draw(render, history->eye_from_world, block);
+                       indirect_motion_draw(renderer, history->eye_from_world, block);
     return moved ? HISTORY_ALL : HISTORY_COUNTS + 1;
 }
 
 /* Adds one set of rays to the means. */
-static void blend(Render *render)
+static void blend(Renderer *renderer)
 {
-    IndirectHistory *history = &render->indirect->history;
+    IndirectHistory *history = &renderer->indirect->history;
     const int next = 1 - history->last;
     float block[HISTORY_ALL][4] = {{0}};
-    const size_t size = (size_t)fill_block(render, block) * sizeof *block;
-    indirect_bind(render);
-    texture_bind(render->gl, frame_texture(render, FRAME_TARGET_rays, 0), RAYS_UNIT);
-    texture_bind(render->gl, history->values[history->last].colors[0], VALUES_UNIT);
-    texture_bind(render->gl, history->places[history->last].colors[0], PLACES_UNIT);
-    texture_bind(render->gl, render->indirect->motion.seen.colors[0], MOVED_UNIT);
+    const size_t size = (size_t)fill_block(renderer, block) * sizeof *block;
+    indirect_bind(renderer);
+    texture_bind(renderer->gl, frame_texture(renderer, FRAME_TARGET_rays, 0), RAYS_UNIT);
+    texture_bind(renderer->gl, history->values[history->last].colors[0], VALUES_UNIT);
+    texture_bind(renderer->gl, history->places[history->last].colors[0], PLACES_UNIT);
+    texture_bind(renderer->gl, renderer->indirect->motion.seen.colors[0], MOVED_UNIT);
     material_write(&history->blend.material, "History", block, size);
     material_write(&history->place.material, "History", block, size);
-    screen_pass_run(&history->blend, &history->values[next], &render->screen);
-    screen_pass_run(&history->place, &history->places[next], &render->screen);
-    memcpy(history->eye_from_world, render->space.eye_from_world, sizeof history->eye_from_world);
-    memcpy(history->ray, render->space.ray, sizeof history->ray);
-    memcpy(history->depth, render->space.depth, sizeof history->depth);
+    screen_pass_run(&history->blend, &history->values[next], &renderer->screen);
+    screen_pass_run(&history->place, &history->places[next], &renderer->screen);
+    memcpy(history->eye_from_world, renderer->space.eye_from_world, sizeof history->eye_from_world);
+    memcpy(history->ray, renderer->space.ray, sizeof history->ray);
+    memcpy(history->depth, renderer->space.depth, sizeof history->depth);
     history->last = next;
     history->sets = history->still ? history->sets + 1 : 1;
     history->number++;
     history->there = history->still = true;
     history->doubts = 0;
-    indirect_motion_end(render);
+    indirect_motion_end(renderer);
 }
 
 /* Estimates the error of the mean b, which has twice as many sets of rays as a. The mean of the
@@ -154,44 +156,44 @@ static double difference(const float *a, const float *b, size_t pixels)
 
 /* Reports whether ambient occlusion has reached the wanted error. Called after 1, 2, 4, ...
  * sets. */
-static bool is_exact(Render *render, float *means[2])
+static bool is_exact(Renderer *renderer, float *means[2])
 {
-    IndirectHistory *history = &render->indirect->history;
+    IndirectHistory *history = &renderer->indirect->history;
     const Framebuffer *values = &history->values[history->last];
     const size_t pixels = (size_t)values->spec.width * (size_t)values->spec.height;
     float *before = means[0];
     means[0] = means[1];
     means[1] = before;
-    return framebuffer_read(render->gl, values, 0, means[1]) && history->sets > 1 &&
-           difference(means[0], means[1], pixels) <= render->scene->indirect.error;
+    return framebuffer_read(renderer->gl, values, 0, means[1]) && history->sets > 1 &&
+           difference(means[0], means[1], pixels) <= renderer->scene->indirect.error;
 }
 
-static void pass_history_draw(Render *render)
+static void pass_history_draw(Renderer *renderer)
 {
-    IndirectHistory *history = &render->indirect->history;
-    const SceneIndirect *in = &render->scene->indirect;
+    IndirectHistory *history = &renderer->indirect->history;
+    const SceneIndirect *in = &renderer->scene->indirect;
     const size_t pixels =
         (size_t)history->values[0].spec.width * (size_t)history->values[0].spec.height;
     float *means[2] = {NULL, NULL};
-    if (indirect_is_done(render) || indirect_moves(render))
+    if (indirect_is_done(renderer) || indirect_moves(renderer))
         return;
     if (in->error > 0)
         for (int i = 0; i < 2; i++)
             means[i] = calloc(pixels, 4 * sizeof **means);
-    for (int i = 0; i < in->samples && !indirect_is_done(render); i++) {
+    for (int i = 0; i < in->samples && !indirect_is_done(renderer); i++) {
         if (i)
-            pass_rays_draw(render);
-        blend(render);
+            pass_rays_draw(renderer);
+        blend(renderer);
         if (means[0] && means[1] && !(history->sets & (history->sets - 1)))
-            history->exact = is_exact(render, means);
+            history->exact = is_exact(renderer, means);
     }
     free(means[0]);
     free(means[1]);
 }
 
-static bool pass_history_moved(Render *render, int first, int count)
+static bool pass_history_moved(Renderer *renderer, int first, int count)
 {
-    indirect_motion_add(render, first, count);
+    indirect_motion_add(renderer, first, count);
     return true;
 }
 

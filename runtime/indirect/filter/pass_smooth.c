@@ -2,7 +2,7 @@
  * surface. Smooth filters along rows; spread filters along columns and upsamples to all pixels
  * of the picture. Their GLSL is pass_smooth.glsl, after indirect_place.glsl. */
 #include "gen/render_text.h"
-#include "runtime/frame/frame.h"
+#include "runtime/frame_graph/frame.h"
 #include "runtime/indirect/rays/pass_rays.h"
 #include "runtime/indirect/filter/pass_smooth.h"
 
@@ -11,158 +11,160 @@ enum { SOURCE_UNIT = INDIRECT_FREE_UNIT, FOUND_UNIT };
 /* The à-trous filter alternates between the targets smooth and open, or a part of open. At full
  * resolution it takes an even number of levels and ends in open; otherwise it ends in smooth,
  * which is then upsampled. */
-static bool is_atrous(const Render *render)
+static bool is_atrous(const Renderer *renderer)
 {
-    return render->scene->indirect.filter == WORD_Filter_atrous && !indirect_moves(render);
+    return renderer->scene->indirect.filter == WORD_Filter_atrous && !indirect_moves(renderer);
 }
 
-static bool is_spread(const Render *render)
+static bool is_spread(const Renderer *renderer)
 {
-    return !is_atrous(render) || indirect_coarse(render) > 1;
+    return !is_atrous(renderer) || indirect_coarse(renderer) > 1;
 }
 
 /* Number of à-trous levels. At full resolution two levels reach 6 pixels and four reach 30; at
  * lower resolution one level reaches 2 pixels and three reach 14. */
-static int atrous_levels(const Render *render)
+static int atrous_levels(const Renderer *renderer)
 {
-    const int narrow = 6, odd = indirect_coarse(render) > 1;
-    return (render->scene->indirect.filter_size > narrow ? 4 : 2) - odd;
+    const int narrow = 6, odd = indirect_coarse(renderer) > 1;
+    return (renderer->scene->indirect.filter_size > narrow ? 4 : 2) - odd;
 }
 
-int pass_smooth_reach(const Render *render)
+int pass_smooth_reach(const Renderer *renderer)
 {
-    const int coarse = indirect_coarse(render), spread = coarse > 1 ? 2 : 0;
-    const int reach = is_atrous(render) ? 2 * ((1 << atrous_levels(render)) - 1) + 1
-                                        : indirect_filter_size(render, coarse);
-    return indirect_is_smoothed(render) ? coarse * (reach + spread) : 0;
+    const int coarse = indirect_coarse(renderer), spread = coarse > 1 ? 2 : 0;
+    const int reach = is_atrous(renderer) ? 2 * ((1 << atrous_levels(renderer)) - 1) + 1
+                                          : indirect_filter_size(renderer, coarse);
+    return indirect_is_smoothed(renderer) ? coarse * (reach + spread) : 0;
 }
 
-static bool pass_smooth_needed(const Render *render) { return indirect_is_smoothed(render); }
+static bool pass_smooth_needed(const Renderer *renderer) { return indirect_is_smoothed(renderer); }
 
-static bool make(Render *render, bool spread, int coarse, ScreenPass *pass)
+static bool make(Renderer *renderer, bool spread, int coarse, ScreenPass *pass)
 {
-    const bool atrous = is_atrous(render) && coarse == indirect_coarse(render);
+    const bool atrous = is_atrous(renderer) && coarse == indirect_coarse(renderer);
     char defined[INDIRECT_DEFINITIONS];
-    indirect_define(render, coarse, defined);
+    indirect_define(renderer, coarse, defined);
     const ScreenPassText text = {
-        .body = {indirect_surface_text(render), defined,
+        .body = {indirect_surface_text(renderer), defined,
                  atrous && !spread ? "#define SMOOTH_ATROUS\n" : "",
                  spread ? "#define SMOOTH_SPREAD\n" : "",
                  atrous && spread ? "#undef INDIRECT_FILTER\n#define INDIRECT_FILTER 0\n" : "",
                  render_text_indirect_place, render_text_pass_smooth},
-        .format = frame_format(render, FRAME_TARGET_open, 0),
-        .compute = render->compute};
-    if (!screen_pass_make(render->store, &text, pass))
+        .format = frame_format(renderer, FRAME_TARGET_open, 0),
+        .compute = renderer->compute};
+    if (!screen_pass_make(renderer->store, &text, pass))
         return false;
     screen_pass_sampler(pass, "smooth_source", SOURCE_UNIT);
     screen_pass_sampler(pass, "smooth_rays", FOUND_UNIT);
-    indirect_set(render, pass);
+    indirect_set(renderer, pass);
     return true;
 }
 
 /* Makes a framebuffer of the part of a target that a lower resolution uses. */
-static bool make_part(Render *render, FrameTarget target, int coarse, Framebuffer *made)
+static bool make_part(Renderer *renderer, FrameTarget target, int coarse, Framebuffer *made)
 {
-    const FramebufferSpec spec = {.width = (render->size[0] + coarse - 1) / coarse,
-                                  .height = (render->size[1] + coarse - 1) / coarse,
+    const FramebufferSpec spec = {.width = (renderer->size[0] + coarse - 1) / coarse,
+                                  .height = (renderer->size[1] + coarse - 1) / coarse,
                                   .color_count = 1};
-    const FramebufferTextures textures = {.colors = {frame_texture(render, target, 0)},
-                                          .formats = {frame_format(render, target, 0)}};
-    return framebuffer_make_around(render->gl, &spec, &textures, made);
+    const FramebufferTextures textures = {.colors = {frame_texture(renderer, target, 0)},
+                                          .formats = {frame_format(renderer, target, 0)}};
+    return framebuffer_make_around(renderer->gl, &spec, &textures, made);
 }
 
-static bool pass_smooth_make(Render *render)
+static bool pass_smooth_make(Renderer *renderer)
 {
-    IndirectMoving *moving = &render->indirect->moving;
-    const int coarse = indirect_moving(render);
-    return make(render, false, indirect_coarse(render), &render->indirect->smooth) &&
-           (!coarse || (make(render, false, coarse, &moving->smooth) &&
-                        make(render, true, coarse, &moving->spread) &&
-                        make_part(render, FRAME_TARGET_rays, coarse, &moving->found) &&
-                        make_part(render, FRAME_TARGET_smooth, coarse, &moving->smoothed)));
+    IndirectMoving *moving = &renderer->indirect->moving;
+    const int coarse = indirect_moving(renderer);
+    return make(renderer, false, indirect_coarse(renderer), &renderer->indirect->smooth) &&
+           (!coarse || (make(renderer, false, coarse, &moving->smooth) &&
+                        make(renderer, true, coarse, &moving->spread) &&
+                        make_part(renderer, FRAME_TARGET_rays, coarse, &moving->found) &&
+                        make_part(renderer, FRAME_TARGET_smooth, coarse, &moving->smoothed)));
 }
 
-static bool pass_spread_make(Render *render)
+static bool pass_spread_make(Renderer *renderer)
 {
-    const int coarse = indirect_coarse(render);
-    return (!is_atrous(render) ||
-            make_part(render, FRAME_TARGET_open, coarse, &render->indirect->between)) &&
-           (!is_spread(render) || make(render, true, coarse, &render->indirect->spread));
+    const int coarse = indirect_coarse(renderer);
+    return (!is_atrous(renderer) ||
+            make_part(renderer, FRAME_TARGET_open, coarse, &renderer->indirect->between)) &&
+           (!is_spread(renderer) || make(renderer, true, coarse, &renderer->indirect->spread));
 }
 
 /* Returns the texture with the rays' results, accumulated if frames accumulate. */
-static GLuint found(const Render *render)
+static GLuint found(const Renderer *renderer)
 {
-    return indirect_keeps(render) && !indirect_moves(render)
-               ? indirect_kept(render)
-               : frame_texture(render, FRAME_TARGET_rays, 0);
+    return indirect_keeps(renderer) && !indirect_moves(renderer)
+               ? indirect_kept(renderer)
+               : frame_texture(renderer, FRAME_TARGET_rays, 0);
 }
 
-static void run(Render *render, ScreenPass *pass, GLuint source, const Framebuffer *made)
+static void run(Renderer *renderer, ScreenPass *pass, GLuint source, const Framebuffer *made)
 {
-    indirect_bind(render);
-    texture_bind(render->gl, source, SOURCE_UNIT);
-    if (is_atrous(render))
-        texture_bind(render->gl, found(render), FOUND_UNIT);
-    screen_pass_run(pass, made, &render->screen);
+    indirect_bind(renderer);
+    texture_bind(renderer->gl, source, SOURCE_UNIT);
+    if (is_atrous(renderer))
+        texture_bind(renderer->gl, found(renderer), FOUND_UNIT);
+    screen_pass_run(pass, made, &renderer->screen);
 }
 
-static void draw_level(Render *render, int level)
+static void draw_level(Renderer *renderer, int level)
 {
-    ScreenPass *pass = &render->indirect->smooth;
+    ScreenPass *pass = &renderer->indirect->smooth;
     material_set_number(&pass->material, "smooth_level", (float)level);
-    run(render, pass,
-        level ? frame_texture(render, level % 2 ? FRAME_TARGET_smooth : FRAME_TARGET_open, 0)
-              : found(render),
-        level % 2 ? &render->indirect->between : &render->targets.draws[FRAME_DRAW_smooth]);
+    run(renderer, pass,
+        level ? frame_texture(renderer, level % 2 ? FRAME_TARGET_smooth : FRAME_TARGET_open, 0)
+              : found(renderer),
+        level % 2 ? &renderer->indirect->between : &renderer->targets.draws[FRAME_DRAW_smooth]);
 }
 
-static void pass_smooth_draw(Render *render)
+static void pass_smooth_draw(Renderer *renderer)
 {
-    IndirectMoving *moving = &render->indirect->moving;
-    if (is_atrous(render))
-        draw_level(render, 0);
-    else if (indirect_moves(render))
-        run(render, &moving->smooth, found(render), &moving->smoothed);
+    IndirectMoving *moving = &renderer->indirect->moving;
+    if (is_atrous(renderer))
+        draw_level(renderer, 0);
+    else if (indirect_moves(renderer))
+        run(renderer, &moving->smooth, found(renderer), &moving->smoothed);
     else
-        run(render, &render->indirect->smooth, found(render),
-            &render->targets.draws[FRAME_DRAW_smooth]);
+        run(renderer, &renderer->indirect->smooth, found(renderer),
+            &renderer->targets.draws[FRAME_DRAW_smooth]);
 }
 
-static void spread(Render *render)
+static void spread(Renderer *renderer)
 {
-    for (int level = 1; is_atrous(render) && level < atrous_levels(render); level++)
-        draw_level(render, level);
-    if (is_spread(render))
-        run(render,
-            indirect_moves(render) ? &render->indirect->moving.spread : &render->indirect->spread,
-            frame_texture(render, FRAME_TARGET_smooth, 0), &render->targets.draws[FRAME_DRAW_open]);
+    for (int level = 1; is_atrous(renderer) && level < atrous_levels(renderer); level++)
+        draw_level(renderer, level);
+    if (is_spread(renderer))
+        run(renderer,
+            indirect_moves(renderer) ? &renderer->indirect->moving.spread
+                                     : &renderer->indirect->spread,
+            frame_texture(renderer, FRAME_TARGET_smooth, 0),
+            &renderer->targets.draws[FRAME_DRAW_open]);
 }
 
 /* Denoises, then repeats all three passes for each further bounce: surfaces then reflect the
  * light of lamps and of the bounces before. */
-static void pass_spread_draw(Render *render)
+static void pass_spread_draw(Renderer *renderer)
 {
-    spread(render);
-    for (int i = 1; indirect_is_repeated(render) && i < render->scene->indirect.bounces; i++) {
-        pass_rays_draw_again(render);
-        pass_smooth_draw(render);
-        spread(render);
+    spread(renderer);
+    for (int i = 1; indirect_is_repeated(renderer) && i < renderer->scene->indirect.bounces; i++) {
+        pass_rays_draw_again(renderer);
+        pass_smooth_draw(renderer);
+        spread(renderer);
     }
 }
 
-static void pass_smooth_request(const Render *render, FramePlanPass *row)
+static void pass_smooth_request(const Renderer *renderer, FramePlanPass *row)
 {
-    row->reads |= indirect_keeps(render) ? FRAME_BIT(history) : 0;
+    row->reads |= indirect_keeps(renderer) ? FRAME_BIT(history) : 0;
 }
 
 /* The à-trous filter reads the rays for their standard deviation; a further bounce traces rays
  * itself. */
-static void pass_spread_request(const Render *render, FramePlanPass *row)
+static void pass_spread_request(const Renderer *renderer, FramePlanPass *row)
 {
-    if (is_atrous(render))
+    if (is_atrous(renderer))
         row->reads |= FRAME_BIT(rays);
-    if (indirect_is_repeated(render))
+    if (indirect_is_repeated(renderer))
         row->reads |= FRAME_BIT(rays) | FRAME_BIT(light) | FRAME_BIT(voxels);
 }
 

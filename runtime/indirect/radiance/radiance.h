@@ -21,10 +21,10 @@
 #ifndef MATC_INDIRECT_RADIANCE_H
 #define MATC_INDIRECT_RADIANCE_H
 #include "gen/radiance_layout.h"
-#include "runtime/frame/frame_pass.h"
+#include "runtime/frame_graph/frame_pass.h"
 #include "compiler/base/text.h"
 #include "runtime/gpu_material/screen_pass.h"
-#include "runtime/frame/render_options.h"
+#include "runtime/frame_graph/renderer_options.h"
 
 enum { RADIANCE_SIZE_MOST = 256, RADIANCE_SIDES = 6 };
 
@@ -51,27 +51,27 @@ struct FrameRadiance {
 typedef enum { RADIANCE_surface, RADIANCE_closed, RADIANCE_body, RADIANCE_CASTS } RadianceCast;
 
 /* Reports whether rays read the GPU scene: they trace voxels and look for light. */
-bool radiance_needed(const Render *render);
+bool radiance_needed(const Renderer *renderer);
 /* Makes programs and buffers. radiance.c */
-bool radiance_make(Render *render);
+bool radiance_make(Renderer *renderer);
 /* Allocates buffers for a number of nodes. False if the driver's limits forbid that size. */
-bool radiance_make_room(Render *render, GLuint nodes);
+bool radiance_make_room(Renderer *renderer, GLuint nodes);
 /* Fills `casts`; call after objects have moved. */
-void radiance_sort(Render *render);
-int radiance_texels(const Render *render); /* texels per node in the buffer light */
-void radiance_delete(Render *render);
+void radiance_sort(Renderer *renderer);
+int radiance_texels(const Renderer *renderer); /* texels per node in the buffer light */
+void radiance_delete(Renderer *renderer);
 /* Inputs of a pass with radiance.glsl in its text: definitions; uniforms, with two texture units
  * from `unit` on; binding of these units before a run. */
 enum { RADIANCE_UNITS = 2, RADIANCE_DEFINITIONS = 128 };
-void radiance_define(const Render *render, char text[RADIANCE_DEFINITIONS]);
-void radiance_set(const Render *render, int unit, ScreenPass *pass);
-void radiance_bind(const Render *render, int unit);
+void radiance_define(const Renderer *renderer, char text[RADIANCE_DEFINITIONS]);
+void radiance_set(const Renderer *renderer, int unit, ScreenPass *pass);
+void radiance_bind(const Renderer *renderer, int unit);
 /* Writes a line for --stats. */
-void radiance_put(Text *out, const Render *render);
+void radiance_put(Text *out, const Renderer *renderer);
 /* Sets a uniform of an object's material. */
-bool radiance_param(Render *render, int material, const MaterialValue *value);
+bool radiance_param(Renderer *renderer, int material, const MaterialValue *value);
 /* Reports whether emission depends on the time. */
-bool radiance_by_time(const Render *render);
+bool radiance_by_time(const Renderer *renderer);
 
 /* The rows of the frame graph. */
 extern const FramePass pass_radiance;

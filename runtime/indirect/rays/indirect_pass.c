@@ -1,7 +1,7 @@
 /* Inputs of every pass with indirect_place.glsl: definitions, the uniform block Indirect,
  * textures. */
 #include "gen/indirect_layout.h"
-#include "runtime/frame/frame.h"
+#include "runtime/frame_graph/frame.h"
 #include "runtime/indirect/rays/blue_noise.h"
 #include "runtime/indirect/rays/indirect_sequence.h"
 #include "runtime/indirect/rays/pass_rays.h"
@@ -19,11 +19,11 @@ enum { RAYS_OF_SLICE = 8, PACKED = 8, SHIFTS_MOST = BLUE_NOISE_EDGE * BLUE_NOISE
 
 /* Returns the sequence of a pixel's samples. The slices of a bit mask share one shift, of up to
  * the angle between two slices. */
-static IndirectSequence sequence_of(const Render *render)
+static IndirectSequence sequence_of(const Renderer *renderer)
 {
-    const SceneIndirect *in = &render->scene->indirect;
+    const SceneIndirect *in = &renderer->scene->indirect;
     return (IndirectSequence){in->sequence, in->rotation,
-                              indirect_method(render)->one_shift ? 1 : in->rays};
+                              indirect_method(renderer)->one_shift ? 1 : in->rays};
 }
 
 static bool turns_bits(const IndirectSequence *of)
@@ -38,19 +38,19 @@ static int shifts_of(const IndirectSequence *of)
     return of->rotation == WORD_Rotation_blue ? SHIFTS_MOST : edge * edge;
 }
 
-void indirect_define(const Render *render, int coarse, char text[INDIRECT_DEFINITIONS])
+void indirect_define(const Renderer *renderer, int coarse, char text[INDIRECT_DEFINITIONS])
 {
-    const SceneIndirect *in = &render->scene->indirect;
+    const SceneIndirect *in = &renderer->scene->indirect;
     const bool uniform = in->distribution == WORD_Distribution_uniform,
-               bent = indirect_shows(render, "bent");
-    const IndirectSequence sequence = sequence_of(render);
-    const IndirectMethod *method = indirect_method(render);
+               bent = indirect_shows(renderer, "bent");
+    const IndirectSequence sequence = sequence_of(renderer);
+    const IndirectMethod *method = indirect_method(renderer);
     char voxels[32] = "", turns[64] = "";
     if (turns_bits(&sequence))
         snprintf(turns, sizeof turns, "#define INDIRECT_TURNS_BITS\n#define INDIRECT_BLOCK %d\n",
                  indirect_sequence_block(&sequence));
-    if (indirect_reads_voxels(render))
-        snprintf(voxels, sizeof voxels, "#define VOXEL_SIZE %d\n", render->scene->voxel_size);
+    if (indirect_reads_voxels(renderer))
+        snprintf(voxels, sizeof voxels, "#define VOXEL_SIZE %d\n", renderer->scene->voxel_size);
     snprintf(
         text, INDIRECT_DEFINITIONS,
         "#define INDIRECT_RAYS %d\n#define INDIRECT_SLICES %d\n#define INDIRECT_STEPS %d\n"
@@ -58,27 +58,27 @@ void indirect_define(const Render *render, int coarse, char text[INDIRECT_DEFINI
         "#define INDIRECT_WEIGHT_%s\n#define INDIRECT_ROTATION_%s\n#define INDIRECT_JITTER %s\n"
         "#define INDIRECT_COARSE %d\n#define INDIRECT_FILTER %d\n%s%s%s%s%s%s%s%s%s",
         in->rays, (in->rays + RAYS_OF_SLICE - 1) / RAYS_OF_SLICE,
-        in->steps ? in->steps : method->steps, indirect_keeps(render) ? 1 : in->samples,
+        in->steps ? in->steps : method->steps, indirect_keeps(renderer) ? 1 : in->samples,
         indirect_sequence_edge(&sequence), shifts_of(&sequence), word_table[in->weight].name,
         word_table[in->rotation].name, in->jitter ? "1.0" : "0.0", coarse,
-        indirect_filter_size(render, coarse), turns,
-        indirect_keeps(render) ? "#define INDIRECT_SETS\n" : "",
+        indirect_filter_size(renderer, coarse), turns,
+        indirect_keeps(renderer) ? "#define INDIRECT_SETS\n" : "",
         uniform ? "#define INDIRECT_UNIFORM\n#define INDIRECT_SHARE(cosine) (2.0 * (cosine))\n"
                 : "#define INDIRECT_SHARE(cosine) 1.0\n",
         in->march == WORD_March_picture ? "#define INDIRECT_PICTURE\n" : "",
         in->checked ? "#define INDIRECT_CHECKED\n" : "",
         method->reads & INDIRECT_READS_near ? "#define INDIRECT_NEAR\n" : "",
-        in->bounces > 0 && !bent && !indirect_shows(render, "visibility")
+        in->bounces > 0 && !bent && !indirect_shows(renderer, "visibility")
             ? "#define INDIRECT_LIGHT\n"
             : "",
         bent ? "#define INDIRECT_BENT\n" : "", voxels);
 }
 
-int indirect_filter_size(const Render *render, int coarse)
+int indirect_filter_size(const Renderer *renderer, int coarse)
 {
     const int widest = 8; /* pixels of the picture */
-    const SceneIndirect *in = &render->scene->indirect;
-    const IndirectSequence sequence = sequence_of(render);
+    const SceneIndirect *in = &renderer->scene->indirect;
+    const IndirectSequence sequence = sequence_of(renderer);
     const int edge = indirect_sequence_edge(&sequence);
     if (in->filter == WORD_Filter_none || in->filter_size)
         return in->filter == WORD_Filter_none ? 0 : in->filter_size;
@@ -86,27 +86,27 @@ int indirect_filter_size(const Render *render, int coarse)
     return tile * coarse > widest ? widest / coarse : tile;
 }
 
-const char *indirect_surface_text(const Render *render)
+const char *indirect_surface_text(const Renderer *renderer)
 {
-    return render->set.unpack ? render->set.unpack : "struct Surface { float nothing; };\n";
+    return renderer->set.unpack ? renderer->set.unpack : "struct Surface { float nothing; };\n";
 }
 
-double indirect_near(const Render *render)
+double indirect_near(const Renderer *renderer)
 {
-    return NEAR * voxel_grid(render->scene, &render->gpu_scene).edge;
+    return NEAR * voxel_grid(renderer->scene, &renderer->gpu_scene).edge;
 }
 
 /* Fills the element `models`. x: length along which voxels miss hits, since rays start off the
  * surface and ignore the voxels in which they start. y: thickness of visible surfaces; a voxel
  * may be off by its diagonal. zw: the picture's pixel at the tile's origin. */
-static void set_models(const Render *render, float models[4])
+static void set_models(const Renderer *renderer, float models[4])
 {
     const double thick = 2, part = .5; /* in voxels; in ray lengths */
-    const SceneIndirect *in = &render->scene->indirect;
-    const bool voxels = indirect_reads_voxels(render);
-    const double edge = voxels ? voxel_grid(render->scene, &render->gpu_scene).edge : 0;
-    const double radius = voxel_grid_radius(render->scene, &render->gpu_scene);
-    models[0] = voxels ? (float)indirect_near(render) : 0;
+    const SceneIndirect *in = &renderer->scene->indirect;
+    const bool voxels = indirect_reads_voxels(renderer);
+    const double edge = voxels ? voxel_grid(renderer->scene, &renderer->gpu_scene).edge : 0;
+    const double radius = voxel_grid_radius(renderer->scene, &renderer->gpu_scene);
+    models[0] = voxels ? (float)indirect_near(renderer) : 0;
     models[1] = (float)(in->thickness > 0 ? in->thickness : voxels ? thick * edge : part * radius);
 }
 
@@ -130,30 +130,31 @@ static void put_shifts(const IndirectSequence *of, float (*block)[4])
 
 /* Without the key `offset` rays start so far off the surface that they do not hit it: a point
  * may be up to sqrt(1/2) of a pixel off the pixel's center, and depth is off by the same. */
-static void set_block(const Render *render, ScreenPass *pass)
+static void set_block(const Renderer *renderer, ScreenPass *pass)
 {
     /* `part`: share of the ray length over which ambient occlusion is assumed to be constant */
     const double lift = .75, part = .05;
-    const SceneIndirect *in = &render->scene->indirect;
-    const IndirectSequence sequence = sequence_of(render);
+    const SceneIndirect *in = &renderer->scene->indirect;
+    const IndirectSequence sequence = sequence_of(renderer);
     float block[INDIRECT_BLOCK_HEAD + INDIRECT_RAYS_MOST + SHIFTS_MOST][4] = {{0}};
     double samples[INDIRECT_RAYS_MOST][2];
-    memcpy(block[INDIRECT_BLOCK_RAY], render->space.ray, sizeof block[INDIRECT_BLOCK_RAY]);
-    memcpy(block[INDIRECT_BLOCK_VIEW], render->space.depth, sizeof block[INDIRECT_BLOCK_VIEW]);
-    block[INDIRECT_BLOCK_REACH][0] = (float)voxel_grid_radius(render->scene, &render->gpu_scene);
+    memcpy(block[INDIRECT_BLOCK_RAY], renderer->space.ray, sizeof block[INDIRECT_BLOCK_RAY]);
+    memcpy(block[INDIRECT_BLOCK_VIEW], renderer->space.depth, sizeof block[INDIRECT_BLOCK_VIEW]);
+    block[INDIRECT_BLOCK_REACH][0] =
+        (float)voxel_grid_radius(renderer->scene, &renderer->gpu_scene);
     block[INDIRECT_BLOCK_REACH][1] = (float)in->offset;
     block[INDIRECT_BLOCK_REACH][2] = in->offset > 0 ? 0 : (float)lift;
     block[INDIRECT_BLOCK_REACH][3] = (float)in->contrast;
-    set_models(render, block[INDIRECT_BLOCK_MODELS]);
+    set_models(renderer, block[INDIRECT_BLOCK_MODELS]);
     for (int i = 0; i < 2; i++) {
-        const int beyond = render->whole[i] - render->at[i];
-        block[INDIRECT_BLOCK_MODELS][2 + i] = (float)render->at[i];
+        const int beyond = renderer->whole[i] - renderer->at[i];
+        block[INDIRECT_BLOCK_MODELS][2 + i] = (float)renderer->at[i];
         block[INDIRECT_BLOCK_PICTURE][i] =
-            (float)(beyond < render->size[i] ? beyond : render->size[i]);
+            (float)(beyond < renderer->size[i] ? beyond : renderer->size[i]);
     }
     block[INDIRECT_BLOCK_PICTURE][3] =
         in->filter_size ? INFINITY
-                        : (float)(part * voxel_grid_radius(render->scene, &render->gpu_scene));
+                        : (float)(part * voxel_grid_radius(renderer->scene, &renderer->gpu_scene));
     indirect_sequence_samples(in->sequence, in->rays, samples);
     for (int i = 0; i < in->rays; i++) {
         for (int k = 0; k < 2; k++)
@@ -165,22 +166,22 @@ static void set_block(const Render *render, ScreenPass *pass)
                    sizeof *block * (size_t)(INDIRECT_BLOCK_HEAD + in->rays + shifts_of(&sequence)));
 }
 
-void indirect_set(const Render *render, ScreenPass *pass)
+void indirect_set(const Renderer *renderer, ScreenPass *pass)
 {
     char name[] = "matc_gbuffer0";
     if (!pass->material.store)
         return;
-    for (int i = 0; material_set_format(&render->set, i); i++) {
+    for (int i = 0; material_set_format(&renderer->set, i); i++) {
         name[sizeof name - 2] = (char)('0' + i);
         screen_pass_sampler(pass, name, i);
     }
     screen_pass_sampler(pass, "indirect_depth", INDIRECT_DEPTH_UNIT);
-    set_block(render, pass);
+    set_block(renderer, pass);
 }
 
-void indirect_bind(const Render *render)
+void indirect_bind(const Renderer *renderer)
 {
-    for (int i = 0; frame_format(render, FRAME_TARGET_gbuffer, i); i++)
-        texture_bind(render->gl, frame_texture(render, FRAME_TARGET_gbuffer, i), i);
-    texture_bind(render->gl, frame_texture(render, FRAME_TARGET_depth, 0), INDIRECT_DEPTH_UNIT);
+    for (int i = 0; frame_format(renderer, FRAME_TARGET_gbuffer, i); i++)
+        texture_bind(renderer->gl, frame_texture(renderer, FRAME_TARGET_gbuffer, i), i);
+    texture_bind(renderer->gl, frame_texture(renderer, FRAME_TARGET_depth, 0), INDIRECT_DEPTH_UNIT);
 }

@@ -1,7 +1,7 @@
 /* A view of the depth buffer as a mesh, seen from the side. */
 #ifndef MATC_INDIRECT_PASS_POSITIONS_H
 #define MATC_INDIRECT_PASS_POSITIONS_H
-#include "runtime/frame/frame_pass.h"
+#include "runtime/frame_graph/frame_pass.h"
 
 struct FramePositions {
     Material material;

@@ -2,69 +2,72 @@
 #include "runtime/indirect/settings/indirect.h"
 #include <string.h>
 
-const IndirectMethod *indirect_method(const Render *render) { return render->indirect->method; }
-
-static bool is_said(const Render *render)
+const IndirectMethod *indirect_method(const Renderer *renderer)
 {
-    return render->scene && scene_indirect_is(render->scene);
+    return renderer->indirect->method;
+}
+
+static bool is_said(const Renderer *renderer)
+{
+    return renderer->scene && scene_indirect_is(renderer->scene);
 }
 
 /* A scene without objects has no indirect light. */
-bool indirect_is(const Render *render)
+bool indirect_is(const Renderer *renderer)
 {
-    return is_said(render) && render->scene->object_count > 0;
+    return is_said(renderer) && renderer->scene->object_count > 0;
 }
 
-bool indirect_shows(const Render *render, const char *view)
+bool indirect_shows(const Renderer *renderer, const char *view)
 {
-    return render->options.view && !strcmp(render->options.view, view);
+    return renderer->options.view && !strcmp(renderer->options.view, view);
 }
 
 /* The radiance cache already includes further bounces. */
-bool indirect_is_repeated(const Render *render)
+bool indirect_is_repeated(const Renderer *renderer)
 {
-    return indirect_is(render) && !indirect_reads_radiance(render) &&
-           render->scene->indirect.bounces > 1 && !indirect_shows(render, "visibility");
+    return indirect_is(renderer) && !indirect_reads_radiance(renderer) &&
+           renderer->scene->indirect.bounces > 1 && !indirect_shows(renderer, "visibility");
 }
 
-bool indirect_is_smoothed(const Render *render)
+bool indirect_is_smoothed(const Renderer *renderer)
 {
-    const SceneIndirect *in = &render->scene->indirect;
+    const SceneIndirect *in = &renderer->scene->indirect;
     const bool filtered = in->filter != WORD_Filter_none;
-    return indirect_is(render) && !indirect_shows(render, "visibility") &&
-           (in->coarse > 1 || indirect_is_repeated(render) || filtered || indirect_keeps(render) ||
-            indirect_moving(render));
+    return indirect_is(renderer) && !indirect_shows(renderer, "visibility") &&
+           (in->coarse > 1 || indirect_is_repeated(renderer) || filtered ||
+            indirect_keeps(renderer) || indirect_moving(renderer));
 }
 
-bool indirect_reads_radiance(const Render *render)
+bool indirect_reads_radiance(const Renderer *renderer)
 {
-    return indirect_is(render) && indirect_method(render)->reads & INDIRECT_READS_radiance;
+    return indirect_is(renderer) && indirect_method(renderer)->reads & INDIRECT_READS_radiance;
 }
 
-bool indirect_reads_voxels(const Render *render)
+bool indirect_reads_voxels(const Renderer *renderer)
 {
-    const unsigned reads = indirect_is(render) ? indirect_method(render)->reads : 0;
+    const unsigned reads = indirect_is(renderer) ? indirect_method(renderer)->reads : 0;
     return reads & INDIRECT_READS_voxels || (reads & INDIRECT_READS_voxels_by_march &&
-                                             render->scene->indirect.march == WORD_March_voxels);
+                                             renderer->scene->indirect.march == WORD_March_voxels);
 }
 
-int indirect_coarse(const Render *render)
+int indirect_coarse(const Renderer *renderer)
 {
-    return indirect_is(render) && !indirect_shows(render, "visibility")
-               ? render->scene->indirect.coarse
+    return indirect_is(renderer) && !indirect_shows(renderer, "visibility")
+               ? renderer->scene->indirect.coarse
                : 1;
 }
 
-int indirect_moving(const Render *render)
+int indirect_moving(const Renderer *renderer)
 {
-    const SceneIndirect *in = &render->scene->indirect;
-    const bool fewer = indirect_is(render) && in->moving > in->coarse;
-    return fewer && !in->history && !indirect_shows(render, "visibility") ? in->moving : 0;
+    const SceneIndirect *in = &renderer->scene->indirect;
+    const bool fewer = indirect_is(renderer) && in->moving > in->coarse;
+    return fewer && !in->history && !indirect_shows(renderer, "visibility") ? in->moving : 0;
 }
 
-bool indirect_moves(const Render *render)
+bool indirect_moves(const Renderer *renderer)
 {
-    return render->indirect->moving.on && indirect_moving(render);
+    return renderer->indirect->moving.on && indirect_moving(renderer);
 }
 
 int indirect_view_lanes(const char *view)
@@ -79,86 +82,86 @@ int indirect_view_lanes(const char *view)
     return 0;
 }
 
-const char *indirect_lacks_view(const Render *render)
+const char *indirect_lacks_view(const Renderer *renderer)
 {
-    const char *view = render->options.view;
-    if (!view || !indirect_view_lanes(view) || indirect_is(render))
+    const char *view = renderer->options.view;
+    if (!view || !indirect_view_lanes(view) || indirect_is(renderer))
         return NULL;
-    return is_said(render) ? "the scene has no objects"
-                           : "the scene has no `indirect:`, which --indirect=METHOD gives it";
+    return is_said(renderer) ? "the scene has no objects"
+                             : "the scene has no `indirect:`, which --indirect=METHOD gives it";
 }
 
-bool indirect_keeps(const Render *render)
+bool indirect_keeps(const Renderer *renderer)
 {
-    const SceneIndirect *in = &render->scene->indirect;
-    return indirect_is(render) && !indirect_is_repeated(render) &&
-           !indirect_shows(render, "visibility") && (in->samples > 1 || in->history > 0);
+    const SceneIndirect *in = &renderer->scene->indirect;
+    return indirect_is(renderer) && !indirect_is_repeated(renderer) &&
+           !indirect_shows(renderer, "visibility") && (in->samples > 1 || in->history > 0);
 }
 
-int indirect_most_sets(const Render *render)
+int indirect_most_sets(const Renderer *renderer)
 {
-    const SceneIndirect *in = &render->scene->indirect;
+    const SceneIndirect *in = &renderer->scene->indirect;
     return in->samples > in->history ? in->samples : in->history;
 }
 
-bool indirect_is_done(const Render *render)
+bool indirect_is_done(const Renderer *renderer)
 {
-    const IndirectHistory *history = &render->indirect->history;
-    return indirect_keeps(render) && history->still &&
-           (history->exact || history->sets >= indirect_most_sets(render));
+    const IndirectHistory *history = &renderer->indirect->history;
+    return indirect_keeps(renderer) && history->still &&
+           (history->exact || history->sets >= indirect_most_sets(renderer));
 }
 
-GLuint indirect_kept(const Render *render)
+GLuint indirect_kept(const Renderer *renderer)
 {
-    const IndirectHistory *history = &render->indirect->history;
+    const IndirectHistory *history = &renderer->indirect->history;
     return history->values[history->last].colors[0];
 }
 
-void indirect_forget(Render *render)
+void indirect_forget(Renderer *renderer)
 {
-    IndirectHistory *history = &render->indirect->history;
+    IndirectHistory *history = &renderer->indirect->history;
     history->still = history->exact = false;
-    history->there = history->there && render->scene->indirect.history > 0;
+    history->there = history->there && renderer->scene->indirect.history > 0;
     history->sets = 0;
 }
 
-void indirect_doubt(Render *render, unsigned doubts)
+void indirect_doubt(Renderer *renderer, unsigned doubts)
 {
-    render->indirect->history.doubts |= doubts;
-    render->indirect->moving.on = true;
+    renderer->indirect->history.doubts |= doubts;
+    renderer->indirect->moving.on = true;
 }
 
-static void delete_history(Render *render)
+static void delete_history(Renderer *renderer)
 {
-    IndirectHistory *history = &render->indirect->history;
+    IndirectHistory *history = &renderer->indirect->history;
     screen_pass_delete(&history->blend);
     screen_pass_delete(&history->place);
     for (int i = 0; i < 2; i++) {
-        framebuffer_delete(render->gl, &history->values[i]);
-        framebuffer_delete(render->gl, &history->places[i]);
+        framebuffer_delete(renderer->gl, &history->values[i]);
+        framebuffer_delete(renderer->gl, &history->places[i]);
     }
     *history = (IndirectHistory){.last = 0};
 }
 
-static void delete_moving(Render *render)
+static void delete_moving(Renderer *renderer)
 {
-    IndirectMoving *moving = &render->indirect->moving;
+    IndirectMoving *moving = &renderer->indirect->moving;
     ScreenPass *const passes[] = {&moving->rays, &moving->again, &moving->smooth, &moving->spread};
     for (size_t i = 0; i < sizeof passes / sizeof *passes; i++)
         screen_pass_delete(passes[i]);
-    framebuffer_delete(render->gl, &moving->found);
-    framebuffer_delete(render->gl, &moving->smoothed);
+    framebuffer_delete(renderer->gl, &moving->found);
+    framebuffer_delete(renderer->gl, &moving->smoothed);
     *moving = (IndirectMoving){.on = false};
 }
 
-void indirect_delete(Render *render)
+void indirect_delete(Renderer *renderer)
 {
-    delete_history(render);
-    delete_moving(render);
-    screen_pass_delete(&render->indirect->rays);
-    screen_pass_delete(&render->indirect->again);
-    screen_pass_delete(&render->indirect->smooth);
-    screen_pass_delete(&render->indirect->spread);
-    screen_pass_delete(&render->indirect->combine);
-    framebuffer_delete(render->gl, &render->indirect->between);
+    delete_history(renderer);
+    delete_moving(renderer);
+    screen_pass_delete(&renderer->indirect->rays);
+    screen_pass_delete(&renderer->indirect->again);
+    screen_pass_delete(&renderer->indirect->smooth);
+    screen_pass_delete(&renderer->indirect->spread);
+    screen_pass_delete(&renderer->indirect->combine);
+    framebuffer_delete(renderer->gl, &renderer->indirect->between);
 }

@@ -3,37 +3,37 @@
 #ifndef MATC_INDIRECT_INDIRECT_H
 #define MATC_INDIRECT_INDIRECT_H
 #include "runtime/indirect/settings/indirect_state.h"
-#include "runtime/frame/render_options.h"
+#include "runtime/frame_graph/renderer_options.h"
 
 /* -- Settings */
 
 /* Reports whether the scene has indirect light. */
-bool indirect_is(const Render *render);
+bool indirect_is(const Renderer *renderer);
 /* Returns the method in use; NULL if the scene has no `indirect:` block. */
-const IndirectMethod *indirect_method(const Render *render);
+const IndirectMethod *indirect_method(const Renderer *renderer);
 /* Returns the components of a view of ambient occlusion or indirect light; 0 for any other view. */
 int indirect_view_lanes(const char *view);
 /* Reports whether the view has that name. */
-bool indirect_shows(const Render *render, const char *view);
+bool indirect_shows(const Renderer *renderer, const char *view);
 /* Returns the reason why the scene has nothing to show in a view of indirect light; NULL if the
  * view can be shown. */
-const char *indirect_lacks_view(const Render *render);
+const char *indirect_lacks_view(const Renderer *renderer);
 /* Reports whether light bounces more than once by screen-space rays, each bounce by a run of the
  * passes. */
-bool indirect_is_repeated(const Render *render);
+bool indirect_is_repeated(const Renderer *renderer);
 /* Reports whether the rays' result is denoised, upsampled, accumulated, or the input of a
  * further bounce. */
-bool indirect_is_smoothed(const Render *render);
+bool indirect_is_smoothed(const Renderer *renderer);
 /* Report whether rays are traced through voxels, and whether hits return cached radiance instead
  * of light on screen. */
-bool indirect_reads_voxels(const Render *render);
-bool indirect_reads_radiance(const Render *render);
+bool indirect_reads_voxels(const Renderer *renderer);
+bool indirect_reads_radiance(const Renderer *renderer);
 /* Returns the resolution divisor of the ray pass per axis: 1, 2 or 4. */
-int indirect_coarse(const Render *render);
+int indirect_coarse(const Renderer *renderer);
 /* Returns the resolution divisor while something moves, if it is larger; else 0. */
-int indirect_moving(const Render *render);
+int indirect_moving(const Renderer *renderer);
 /* Reports whether this frame uses the divisor for motion. */
-bool indirect_moves(const Render *render);
+bool indirect_moves(const Renderer *renderer);
 
 /* -- Temporal accumulation */
 
@@ -41,19 +41,19 @@ bool indirect_moves(const Render *render);
 typedef enum { INDIRECT_DOUBT_light = 1, INDIRECT_DOUBT_openness = 2 } IndirectDoubt;
 
 /* Reports whether results of several frames, or of several sets of rays, are averaged. */
-bool indirect_keeps(const Render *render);
+bool indirect_keeps(const Renderer *renderer);
 /* Returns the max number of sets of rays that are averaged. */
-int indirect_most_sets(const Render *render);
+int indirect_most_sets(const Renderer *renderer);
 /* Reports whether enough sets are averaged, so that no further rays are traced. */
-bool indirect_is_done(const Render *render);
+bool indirect_is_done(const Renderer *renderer);
 /* Returns the texture of the means. */
-GLuint indirect_kept(const Render *render);
+GLuint indirect_kept(const Renderer *renderer);
 /* Rejects all accumulated samples. If frames accumulate, keeps those that reproject onto the
  * same surface. */
-void indirect_forget(Render *render);
+void indirect_forget(Renderer *renderer);
 /* Lowers the weight of accumulated samples, more so near moved objects; `doubts` is a set of
  * IndirectDoubt. */
-void indirect_doubt(Render *render, unsigned doubts);
+void indirect_doubt(Renderer *renderer, unsigned doubts);
 /* Frees the resources of FrameIndirect. */
-void indirect_delete(Render *render);
+void indirect_delete(Renderer *renderer);
 #endif

@@ -1,7 +1,7 @@
 /* State of indirect light: rays, and temporal accumulation. */
 #ifndef MATC_INDIRECT_INDIRECT_STATE_H
 #define MATC_INDIRECT_INDIRECT_STATE_H
-#include "runtime/frame/frame.h"
+#include "runtime/frame_graph/frame.h"
 #include "runtime/indirect/settings/indirect_method.h"
 
 typedef struct {

@@ -4,7 +4,7 @@
  *     A room of six boxes that overlap in its corners: floor and ceiling do not overlap, wave 1;
  *     two
  *         opposite walls, wave 2; the others, wave 3. */
-#include "runtime/frame/frame.h"
+#include "runtime/frame_graph/frame.h"
 #include "runtime/indirect/voxels/voxels.h"
 #include "runtime/tessellate/scene_solid.h"
 #include <math.h>
@@ -60,16 +60,16 @@ static VoxelShape measure(const Shape *shape, ShapeBody body)
 }
 
 /* Measures each mesh, by the first object that uses it. */
-bool voxel_bodies_measure(const Render *render, FrameVoxels *voxels)
+bool voxel_bodies_measure(const Renderer *renderer, FrameVoxels *voxels)
 {
-    const GpuScene *gpu_scene = &render->gpu_scene;
+    const GpuScene *gpu_scene = &renderer->gpu_scene;
     const size_t meshes = (size_t)gpu_scene->mesh_count + 1;
     bool *known = calloc(meshes, sizeof *known), fine;
     voxels->shapes = calloc(meshes, sizeof *voxels->shapes);
     voxels->waves = calloc((size_t)gpu_scene->place_count + 1, sizeof *voxels->waves);
     fine = known && voxels->shapes && voxels->waves;
     for (int i = 0; fine && i < gpu_scene->place_count; i++) {
-        const SceneObject *object = &render->scene->objects[gpu_scene->places[i].object];
+        const SceneObject *object = &renderer->scene->objects[gpu_scene->places[i].object];
         const int mesh = gpu_scene->places[i].mesh;
         Shape made = {0};
         if (known[mesh])
@@ -78,7 +78,7 @@ bool voxel_bodies_measure(const Render *render, FrameVoxels *voxels)
         fine = object->kind == SCENE_Mesh || scene_solid(object, &made);
         if (fine)
             voxels->shapes[mesh] = measure(
-                object->kind == SCENE_Mesh ? &render->scene->meshes[object->mesh].shape : &made,
+                object->kind == SCENE_Mesh ? &renderer->scene->meshes[object->mesh].shape : &made,
                 gpu_scene->meshes[mesh].body);
         shape_free(&made);
     }
@@ -130,15 +130,15 @@ bool voxel_bodies_is_body(const FrameVoxels *voxels, int place)
 
 /* Alpha-tested surfaces evaluate their material, and triangles displaced on the GPU exist only
  * there: both are drawn by the rasterizer. */
-unsigned char voxel_bodies_surface(const Render *render, int number)
+unsigned char voxel_bodies_surface(const Renderer *renderer, int number)
 {
-    const FrameVoxels *voxels = render->voxels;
-    const GpuScenePlace *place = &render->gpu_scene.places[number];
+    const FrameVoxels *voxels = renderer->voxels;
+    const GpuScenePlace *place = &renderer->gpu_scene.places[number];
     const double longest = voxels->shapes[place->mesh].longest *
-                           stretch(&render->scene->objects[place->object].world_from_local) /
+                           stretch(&renderer->scene->objects[place->object].world_from_local) /
                            voxels->grid.edge;
-    return render->compute && !place->transparent &&
-                   !render->gpu_scene.displaced[place->mesh].patches && longest <= FINEST
+    return renderer->compute && !place->transparent &&
+                   !renderer->gpu_scene.displaced[place->mesh].patches && longest <= FINEST
                ? VOXELS_FINE
                : 0;
 }
@@ -163,27 +163,28 @@ static bool meets(const VoxelRange *a, const VoxelRange *b)
     return true;
 }
 
-VoxelKind voxel_bodies_kind(const Render *render, int number)
+VoxelKind voxel_bodies_kind(const Renderer *renderer, int number)
 {
-    const FrameVoxels *voxels = render->voxels;
-    const GpuScenePlace *place = &render->gpu_scene.places[number];
+    const FrameVoxels *voxels = renderer->voxels;
+    const GpuScenePlace *place = &renderer->gpu_scene.places[number];
     const VoxelShape *shape = &voxels->shapes[place->mesh];
     if (!shape->closed)
         return VOXEL_open;
-    const double thick = thickness(shape, &render->scene->objects[place->object].world_from_local);
+    const double thick =
+        thickness(shape, &renderer->scene->objects[place->object].world_from_local);
     if (!(thick >= THINNEST * voxels->grid.edge))
         return VOXEL_thin;
     return voxel_bodies_is_body(voxels, number) ? VOXEL_body : VOXEL_crossing;
 }
 
-static int list_bodies(const Render *render, const FrameVoxels *voxels, Body *bodies)
+static int list_bodies(const Renderer *renderer, const FrameVoxels *voxels, Body *bodies)
 {
-    const GpuScene *gpu_scene = &render->gpu_scene;
+    const GpuScene *gpu_scene = &renderer->gpu_scene;
     int count = 0;
     for (int i = 0; i < gpu_scene->place_count; i++) {
         const GpuScenePlace *place = &gpu_scene->places[i];
         const VoxelShape *shape = &voxels->shapes[place->mesh];
-        const SceneMatrix *matrix = &render->scene->objects[place->object].world_from_local;
+        const SceneMatrix *matrix = &renderer->scene->objects[place->object].world_from_local;
         if (place->transparent || !shape->closed ||
             !(thickness(shape, matrix) >= THINNEST * voxels->grid.edge))
             continue;
@@ -230,19 +231,20 @@ static int wave_of(const FrameVoxels *voxels, const Body *body, int axis, Body *
     return wave < VOXELS_WAVES_MOST ? wave + 1 : 0;
 }
 
-bool voxel_bodies_sort(const Render *render, FrameVoxels *voxels)
+bool voxel_bodies_sort(const Renderer *renderer, FrameVoxels *voxels)
 {
-    const size_t places = (size_t)render->gpu_scene.place_count + 1;
+    const size_t places = (size_t)renderer->gpu_scene.place_count + 1;
     Body *bodies = malloc(places * sizeof *bodies), *list = malloc(places * sizeof *list);
     const bool fine = bodies && list;
-    const int count = fine ? list_bodies(render, voxels, bodies) : 0, axis = axis_of(bodies, count);
+    const int count = fine ? list_bodies(renderer, voxels, bodies) : 0,
+              axis = axis_of(bodies, count);
     int listed = 0;
     for (int i = 0; i < count; i++)
         bodies[i].low = bodies[i].range.low[axis];
     if (count)
         qsort(bodies, (size_t)count, sizeof *bodies, compare);
-    for (int i = 0; fine && i < render->gpu_scene.place_count; i++)
-        voxels->waves[i] = voxel_bodies_surface(render, i);
+    for (int i = 0; fine && i < renderer->gpu_scene.place_count; i++)
+        voxels->waves[i] = voxel_bodies_surface(renderer, i);
     voxels->wave_count = 0;
     for (int i = 0; i < count; i++) {
         const int wave = wave_of(voxels, &bodies[i], axis, list, &listed);

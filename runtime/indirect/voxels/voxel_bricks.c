@@ -1,7 +1,7 @@
 /* Bricks: the voxel grid as rays read it, 4 x 4 x 4 voxels in 64 bits, with coarser levels up to
  * a single brick. */
 #include "gen/render_text.h"
-#include "runtime/frame/frame.h"
+#include "runtime/frame_graph/frame.h"
 #include "runtime/indirect/voxels/voxels.h"
 
 enum { BRICKS_BINDING = 2, MAP_UNIT = 0, BRICK = 4, GROUP = 4 };
@@ -21,10 +21,10 @@ static GLsizeiptr bytes_of(const FrameVoxels *voxels)
     return (GLsizeiptr)(((size_t)1 << 3 * (log_of(voxels) + 1)) / 7 * 2 * sizeof(GLuint));
 }
 
-bool voxel_bricks_make(Render *render)
+bool voxel_bricks_make(Renderer *renderer)
 {
-    GlContext *gl = render->gl;
-    FrameVoxels *voxels = render->voxels;
+    GlContext *gl = renderer->gl;
+    FrameVoxels *voxels = renderer->voxels;
     const bool modern = gl->major * 10 + gl->minor >= 45;
     const ProgramText text = {.compute = {modern ? "#version 450 core\n" : "#version 430 core\n",
                                           render_text_voxel_bricks}};
@@ -35,16 +35,16 @@ bool voxel_bricks_make(Render *render)
     gl->BindTexture(GL_TEXTURE_BUFFER, voxels->bricks);
     gl->TexBuffer(GL_TEXTURE_BUFFER, GL_RG32UI, voxels->buffer);
     gl->BindBuffer(GL_TEXTURE_BUFFER, 0);
-    if (!material_make(render->store, NULL, &text, &voxels->brick))
+    if (!material_make(renderer->store, NULL, &text, &voxels->brick))
         return false;
     material_set_number(&voxels->brick, "brick_map", MAP_UNIT);
     return gl_check(gl, "making room for bricks of voxels");
 }
 
-void voxel_bricks_draw(Render *render)
+void voxel_bricks_draw(Renderer *renderer)
 {
-    const GlContext *gl = render->gl;
-    FrameVoxels *voxels = render->voxels;
+    const GlContext *gl = renderer->gl;
+    FrameVoxels *voxels = renderer->voxels;
     const int lowest = log_of(voxels);
     gl->ActiveTexture(GL_TEXTURE0 + MAP_UNIT);
     gl->BindTexture(GL_TEXTURE_2D_ARRAY, voxels->map);
@@ -59,17 +59,17 @@ void voxel_bricks_draw(Render *render)
     }
 }
 
-void voxel_bricks_bind(const Render *render, int unit)
+void voxel_bricks_bind(const Renderer *renderer, int unit)
 {
-    render->gl->ActiveTexture(GL_TEXTURE0 + (GLenum)unit);
-    render->gl->BindTexture(GL_TEXTURE_BUFFER, render->voxels->bricks);
+    renderer->gl->ActiveTexture(GL_TEXTURE0 + (GLenum)unit);
+    renderer->gl->BindTexture(GL_TEXTURE_BUFFER, renderer->voxels->bricks);
 }
 
-void voxel_bricks_delete(Render *render)
+void voxel_bricks_delete(Renderer *renderer)
 {
-    FrameVoxels *voxels = render->voxels;
+    FrameVoxels *voxels = renderer->voxels;
     if (voxels->brick.store)
         material_delete(&voxels->brick);
-    render->gl->DeleteTextures(1, &voxels->bricks); /* GL ignores the name 0 */
-    render->gl->DeleteBuffers(1, &voxels->buffer);
+    renderer->gl->DeleteTextures(1, &voxels->bricks); /* GL ignores the name 0 */
+    renderer->gl->DeleteBuffers(1, &voxels->buffer);
 }

@@ -2,28 +2,28 @@
  * GPU's rasterizer would take each triangle three times, and mostly produce no fragment. The
  * choice is made per mesh (voxel_bodies.c). */
 #include "gen/render_text.h"
-#include "runtime/frame/frame.h"
+#include "runtime/frame_graph/frame.h"
 #include "runtime/indirect/voxels/voxels.h"
 #include <stdio.h>
 #include <stdlib.h>
 
 enum { PLACES, VERTICES, INDICES, GROUP = 64, GROUPS_MOST = 4096, PLACES_MOST = 65535, ROWS = 3 };
 
-bool voxel_fine_make(Render *render)
+bool voxel_fine_make(Renderer *renderer)
 {
-    GlContext *gl = render->gl;
+    GlContext *gl = renderer->gl;
     const bool modern = gl->major * 10 + gl->minor >= 45;
     char defined[64];
     const ProgramText text = {.compute = {modern ? "#version 450 core\n" : "#version 430 core\n",
                                           defined, render_text_voxel_fine}};
     snprintf(defined, sizeof defined, "#define FINE_STRIDE %d\n",
              (int)(sizeof(ShapeVertex) / sizeof(float)));
-    gl->GenBuffers(1, &render->voxels->fine_places);
-    render->voxels->fine_rows =
-        malloc((size_t)render->gpu_scene.place_count * sizeof *render->voxels->fine_rows + 1);
-    if (!render->voxels->fine_rows)
+    gl->GenBuffers(1, &renderer->voxels->fine_places);
+    renderer->voxels->fine_rows =
+        malloc((size_t)renderer->gpu_scene.place_count * sizeof *renderer->voxels->fine_rows + 1);
+    if (!renderer->voxels->fine_rows)
         return gl_fail(gl, "out of memory");
-    return material_make(render->store, NULL, &text, &render->voxels->fine) &&
+    return material_make(renderer->store, NULL, &text, &renderer->voxels->fine) &&
            gl_check(gl, "making room for fine surfaces");
 }
 
@@ -39,11 +39,11 @@ static void put_place(const VoxelGrid *grid, const SceneMatrix *world_from_local
 }
 
 /* Rasterizes `count` instances of a mesh, whose matrices are in fine_rows. */
-static void touch(Render *render, int mesh, int count)
+static void touch(Renderer *renderer, int mesh, int count)
 {
-    const GlContext *gl = render->gl;
-    const FrameVoxels *voxels = render->voxels;
-    const Mesh *drawn = &render->gpu_scene.meshes[mesh];
+    const GlContext *gl = renderer->gl;
+    const FrameVoxels *voxels = renderer->voxels;
+    const Mesh *drawn = &renderer->gpu_scene.meshes[mesh];
     const GLuint groups = (GLuint)((drawn->index_count / 3 + GROUP - 1) / GROUP);
     gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, voxels->fine_places);
     gl->BufferData(GL_SHADER_STORAGE_BUFFER, (GLsizeiptr)sizeof *voxels->fine_rows * count,
@@ -57,10 +57,10 @@ static void touch(Render *render, int mesh, int count)
 
 /* Draws all places with fine triangles. cast_order is sorted by mesh, so instances of a mesh are
  * drawn together, at most PLACES_MOST at once. */
-void voxel_fine_draw(Render *render)
+void voxel_fine_draw(Renderer *renderer)
 {
-    const GpuScene *gpu_scene = &render->gpu_scene;
-    FrameVoxels *voxels = render->voxels;
+    const GpuScene *gpu_scene = &renderer->gpu_scene;
+    FrameVoxels *voxels = renderer->voxels;
     if (!voxel_bodies_has(voxels, gpu_scene, VOXELS_FINE))
         return;
     material_use(&voxels->fine);
@@ -69,10 +69,10 @@ void voxel_fine_draw(Render *render)
         const bool ends = i + 1 == gpu_scene->cast_count ||
                           gpu_scene->places[gpu_scene->cast_order[i + 1]].mesh != place->mesh;
         if (voxels->waves[gpu_scene->cast_order[i]] == VOXELS_FINE)
-            put_place(&voxels->grid, &render->scene->objects[place->object].world_from_local,
+            put_place(&voxels->grid, &renderer->scene->objects[place->object].world_from_local,
                       voxels->fine_rows[count++]);
         if (count && (ends || count == PLACES_MOST)) {
-            touch(render, place->mesh, count);
+            touch(renderer, place->mesh, count);
             count = 0;
         }
     }

@@ -1,6 +1,6 @@
 /* Views of voxels by name, and statistics. */
 #include "runtime/indirect/voxels/voxels.h"
-#include "runtime/frame/frame.h"
+#include "runtime/frame_graph/frame.h"
 #include <string.h>
 
 /* Levels have one digit: 512 voxels have ten levels, 0 to 9. */
@@ -13,16 +13,16 @@ int voxels_view_level(const char *view)
     return !*digit ? 0 : *digit >= '0' && *digit <= '9' && !digit[1] ? *digit - '0' : -1;
 }
 
-void voxels_put(Text *out, const Render *render)
+void voxels_put(Text *out, const Renderer *renderer)
 {
     enum { DIGITS = 3 };
-    const FrameVoxels *voxels = render->voxels;
+    const FrameVoxels *voxels = renderer->voxels;
     const int size = voxels->grid.size;
     int counts[VOXEL_KINDS] = {0}, cut = 0;
-    for (int i = 0; i < render->gpu_scene.place_count; i++) {
-        if (!render->gpu_scene.places[i].transparent)
-            counts[voxel_bodies_kind(render, i)]++;
-        cut += render->gpu_scene.places[i].cut >= 0;
+    for (int i = 0; i < renderer->gpu_scene.place_count; i++) {
+        if (!renderer->gpu_scene.places[i].transparent)
+            counts[voxel_bodies_kind(renderer, i)]++;
+        cut += renderer->gpu_scene.places[i].cut >= 0;
     }
     text_format(out, "voxels    %d x %d x %d, each ", size, size, size);
     text_rounded(out, voxels->grid.edge, DIGITS);

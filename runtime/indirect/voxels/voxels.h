@@ -6,10 +6,10 @@
  * entering a full voxel. */
 #ifndef MATC_INDIRECT_VOXELS_H
 #define MATC_INDIRECT_VOXELS_H
-#include "runtime/frame/frame_pass.h"
+#include "runtime/frame_graph/frame_pass.h"
 #include "compiler/base/text.h"
 #include "runtime/gpu_scene/gpu_scene.h"
-#include "runtime/frame/render_options.h"
+#include "runtime/frame_graph/renderer_options.h"
 
 enum {
     VOXELS_LAYERS_MOST = 4,
@@ -74,15 +74,15 @@ void voxel_grid_add(const CullBox *box, const SceneMatrix *world_from_local, Vox
  * False if memory runs out. A body is closed, and at least 1.5 voxels thick, by its volume over
  * half its area. Thinner meshes have voxels without a center inside, through which rays leak. A
  * mesh that overlaps too many others for the waves is treated as a surface. */
-bool voxel_bodies_measure(const Render *render, FrameVoxels *voxels);
-bool voxel_bodies_sort(const Render *render, FrameVoxels *voxels);
+bool voxel_bodies_measure(const Renderer *renderer, FrameVoxels *voxels);
+bool voxel_bodies_sort(const Renderer *renderer, FrameVoxels *voxels);
 /* Kind of an opaque place of the GPU scene: a closed body; or a surface, for one of three reasons:
  * its mesh is open, it is too thin, or it overlaps too many others. */
 typedef enum { VOXEL_body, VOXEL_open, VOXEL_thin, VOXEL_crossing, VOXEL_KINDS } VoxelKind;
-VoxelKind voxel_bodies_kind(const Render *render, int place);
+VoxelKind voxel_bodies_kind(const Renderer *renderer, int place);
 /* Returns the entry in `waves` of a place that is no body: 0, or VOXELS_FINE if its triangles
  * are small and compute programs are supported (voxel_fine.c). */
-unsigned char voxel_bodies_surface(const Render *render, int place);
+unsigned char voxel_bodies_surface(const Renderer *renderer, int place);
 bool voxel_bodies_is_body(const FrameVoxels *voxels, int place);
 /* Reports whether a place that fills voxels has that entry in `waves`. */
 bool voxel_bodies_has(const FrameVoxels *voxels, const GpuScene *gpu_scene, int wave);
@@ -91,37 +91,38 @@ bool voxel_bodies_has(const FrameVoxels *voxels, const GpuScene *gpu_scene, int 
  * the box around all objects. */
 double voxel_grid_radius(const Scene *scene, const GpuScene *gpu_scene);
 
-bool pass_voxels_needed(const Render *render);
+bool pass_voxels_needed(const Renderer *renderer);
 /* Reports whether alpha-tested shadow casters depend on the time. */
-bool pass_voxels_by_time(const Render *render);
+bool pass_voxels_by_time(const Renderer *renderer);
 /* Invalidates the map after a change of materials if alpha-tested objects fill voxels. */
-void pass_voxels_forget(Render *render);
+void pass_voxels_forget(Renderer *renderer);
 /* Sets the uniforms of a pass with voxel_map.glsl in its text: the unit of the bricks, and the
  * matrix from eye space to the grid. Call when the pass is made, and when the camera or objects
  * have moved. */
-void pass_voxels_set(const Render *render, int unit, ScreenPass *pass);
+void pass_voxels_set(const Renderer *renderer, int unit, ScreenPass *pass);
 
 /* voxel_fine.c: adds surfaces of small triangles to the texture `surface`, which is bound as
  * image 0. */
-bool voxel_fine_make(Render *render);
-void voxel_fine_draw(Render *render);
+bool voxel_fine_make(Renderer *renderer);
+void voxel_fine_draw(Renderer *renderer);
 
 /* voxel_bricks.c: the bricks that rays read. Allocates them; fills them from the map; binds them
  * to a unit before each run of a pass that reads them; frees them. */
-bool voxel_bricks_make(Render *render);
-void voxel_bricks_draw(Render *render);
-void voxel_bricks_bind(const Render *render, int unit);
-void voxel_bricks_delete(Render *render);
+bool voxel_bricks_make(Renderer *renderer);
+void voxel_bricks_draw(Renderer *renderer);
+void voxel_bricks_bind(const Renderer *renderer, int unit);
+void voxel_bricks_delete(Renderer *renderer);
 
 /* Returns the level of a view "voxels", "voxels1" and so on; -1 for any other view or NULL.
  * voxels.c */
 int voxels_view_level(const char *view);
 
-/* Reports whether a place of the GPU scene fills voxels: it is opaque or alpha-tested. voxel_grid.c */
+/* Reports whether a place of the GPU scene fills voxels: it is opaque or alpha-tested. voxel_grid.c
+ */
 bool voxels_have(const GpuScenePlace *place);
 
 /* Writes lines for --stats. */
-void voxels_put(Text *out, const Render *render);
+void voxels_put(Text *out, const Renderer *renderer);
 
 /* The rows of the frame graph. */
 extern const FramePass pass_voxels, pass_cubes;

@@ -10,8 +10,8 @@
  * cancel exactly where there is no shadow. Depth is clamped, so nothing is clipped at the far
  * plane. */
 #include "gen/render_text.h"
-#include "runtime/frame/frame.h"
-#include "runtime/frame/surface_draw.h"
+#include "runtime/frame_graph/frame.h"
+#include "runtime/frame_graph/surface_draw.h"
 #include "runtime/scene/scene_matrix.h"
 #include "runtime/shadow/hybrid/volume.h"
 #include <math.h>
@@ -61,9 +61,9 @@ static void transform(const double m[16], const double v[4], double out[4])
 /* across: a cosine */
 static const double far_parallel = 1 << 20, far_place = 1 << 10, across = 1.0 / 1024;
 
-static double distance_to(const Render *render, const double point[4])
+static double distance_to(const Renderer *renderer, const double point[4])
 {
-    const SceneCamera *camera = &render->scene->camera;
+    const SceneCamera *camera = &renderer->scene->camera;
     double away[3];
     for (int i = 0; i < 3; i++)
         away[i] = camera->position[i] - point[i];
@@ -71,9 +71,9 @@ static double distance_to(const Render *render, const double point[4])
            (camera->kind == SCENE_Orthographic ? camera->depth + camera->half : 0);
 }
 
-static bool goes_across(const Render *render, const double along[4])
+static bool goes_across(const Renderer *renderer, const double along[4])
 {
-    const SceneCamera *camera = &render->scene->camera;
+    const SceneCamera *camera = &renderer->scene->camera;
     return camera->kind == SCENE_Orthographic ||
            fabs(vec3_dot(camera->back, along)) < across * sqrt(vec3_dot(along, along));
 }
@@ -81,16 +81,16 @@ static bool goes_across(const Render *render, const double along[4])
 /* Finds the direction of parallel light in clip space, from the columns for x, y, z and 1. If it
  * runs across the view: the distant point, from the map's center or corners, with the greatest
  * |w|. */
-static void find_far(const Render *render, double world[4][4], double clip[4][4], float far[4])
+static void find_far(const Renderer *renderer, double world[4][4], double clip[4][4], float far[4])
 {
     static const double places[5][2] = {{0, 0}, {-1, -1}, {1, -1}, {-1, 1}, {1, 1}};
     double best = -1;
     for (int i = 0; i < 4; i++)
         far[i] = (float)-clip[2][i];
-    if (!goes_across(render, world[2]))
+    if (!goes_across(renderer, world[2]))
         return;
     const double deep = sqrt(vec3_dot(world[2], world[2]));
-    const double depths = far_parallel * (1 + distance_to(render, world[3]) / deep);
+    const double depths = far_parallel * (1 + distance_to(renderer, world[3]) / deep);
     for (int k = 0; k < 5; k++) {
         double point[4];
         for (int i = 0; i < 4; i++)
@@ -102,20 +102,20 @@ static void find_far(const Render *render, double world[4][4], double clip[4][4]
     }
 }
 
-void pass_volume_place(const Render *render, int number, Material *material)
+void pass_volume_place(const Renderer *renderer, int number, Material *material)
 {
     static const char *const names[] = {"volume_x", "volume_y", "volume_z", "volume_w"};
-    const ShadowView *view = &render->shadows->views.views[number];
-    const Scene *scene = render->scene;
+    const ShadowView *view = &renderer->shadows->views.views[number];
+    const Scene *scene = renderer->scene;
     const float map[4] = {(float)number, (float)scene->shadow_size, view->near <= 0,
                           scene->shadow_stretched};
     double world[4][4], eye[4], clip[4][4], projection[16];
     float far[4] = {0};
     world_from_place(view, world);
     for (int i = 0; i < 16; i++)
-        projection[i] = render->space.spaces.clip_from_eye.m[i];
+        projection[i] = renderer->space.spaces.clip_from_eye.m[i];
     for (int i = 0; i < 4; i++) {
-        transform(render->space.eye_from_world, world[i], eye);
+        transform(renderer->space.eye_from_world, world[i], eye);
         transform(projection, eye, clip[i]);
         const float column[4] = {(float)clip[i][0], (float)clip[i][1], (float)clip[i][2],
                                  (float)clip[i][3]};
@@ -123,118 +123,119 @@ void pass_volume_place(const Render *render, int number, Material *material)
     }
     material_set(material, &(MaterialValue){"volume_map", 4, map});
     if (view->near > 0)
-        far[0] = (float)(view->near / (far_place * (view->near + distance_to(render, world[3]))));
+        far[0] = (float)(view->near / (far_place * (view->near + distance_to(renderer, world[3]))));
     else
-        find_far(render, world, clip, far);
+        find_far(renderer, world, clip, far);
     material_set(material, &(MaterialValue){"volume_far", 4, far});
 }
 
-const char *pass_volume_head(const Render *render)
+const char *pass_volume_head(const Renderer *renderer)
 {
-    return render->gl->major * 10 + render->gl->minor >= 45 ? "#version 450 core\n"
-                                                            : "#version 330 core\n";
+    return renderer->gl->major * 10 + renderer->gl->minor >= 45 ? "#version 450 core\n"
+                                                                : "#version 330 core\n";
 }
 
-static bool make_view(Render *render, int number)
+static bool make_view(Renderer *renderer, int number)
 {
-    FrameVolumes *volumes = volume_state(render);
-    const char *const head = pass_volume_head(render);
-    const char *const maps = volume_cells_are(render) ? volume_cells_maps() : "",
-                      *const cells = volume_cells_are(render) ? render_text_volume_cells : "";
-    const ProgramText sheet = {.vertex = {head, volume_data_text(render, false), maps,
+    FrameVolumes *volumes = volume_state(renderer);
+    const char *const head = pass_volume_head(renderer);
+    const char *const maps = volume_cells_are(renderer) ? volume_cells_maps() : "",
+                      *const cells = volume_cells_are(renderer) ? render_text_volume_cells : "";
+    const ProgramText sheet = {.vertex = {head, volume_data_text(renderer, false), maps,
                                           render_text_shadow_volume, cells,
                                           render_text_volume_vertex},
                                .fragment = {head, "void main() {}\n"}};
     const ProgramText cap = {
         .vertex = {head, "#define CAP\n", render_text_shadow_volume, render_text_volume_vertex},
         .fragment = {head, "void main() {}\n"}};
-    if (!material_make(render->store, NULL, &sheet, &volumes->sheets[number]))
+    if (!material_make(renderer->store, NULL, &sheet, &volumes->sheets[number]))
         return false;
-    pass_volume_place(render, number, &volumes->sheets[number]);
-    if (render->shadows->views.views[number].near <= 0)
+    pass_volume_place(renderer, number, &volumes->sheets[number]);
+    if (renderer->shadows->views.views[number].near <= 0)
         return true;
-    if (!material_make(render->store, NULL, &cap, &volumes->caps[number]))
+    if (!material_make(renderer->store, NULL, &cap, &volumes->caps[number]))
         return false;
-    pass_volume_place(render, number, &volumes->caps[number]);
+    pass_volume_place(renderer, number, &volumes->caps[number]);
     return true;
 }
 
 /* Makes the program that adds a light's bit to the mask. */
-static bool make_mark(Render *render, int number)
+static bool make_mark(Renderer *renderer, int number)
 {
     static const char text[] =
         "layout(std140) uniform Mark { vec4 mark_bit; };\nlayout(location = 0) out vec4 bits;\n"
         "void main() { bits = mark_bit; }\n";
-    const char *const head = pass_volume_head(render);
+    const char *const head = pass_volume_head(renderer);
     const ProgramText mark = {.vertex = {head, screen_text}, .fragment = {head, text}};
     float bit[4] = {0};
     bit[number / BITS] = (float)(1 << number % BITS) / 255;
-    return material_make(render->store, NULL, &mark, &volume_state(render)->marks[number]) &&
-           material_set(&volume_state(render)->marks[number], &(MaterialValue){"mark_bit", 4, bit});
+    return material_make(renderer->store, NULL, &mark, &volume_state(renderer)->marks[number]) &&
+           material_set(&volume_state(renderer)->marks[number],
+                        &(MaterialValue){"mark_bit", 4, bit});
 }
 
-static bool check(const Render *render)
+static bool check(const Renderer *renderer)
 {
-    const int count = volume_lights_count(render);
+    const int count = volume_lights_count(renderer);
     if (count > VOLUME_LIGHTS)
-        return gl_fail(render->gl, "%d lights cast hybrid shadows, more than %d", count,
+        return gl_fail(renderer->gl, "%d lights cast hybrid shadows, more than %d", count,
                        VOLUME_LIGHTS);
-    return render->gl->PrimitiveRestartIndex ||
-           gl_fail(render->gl, "hybrid shadows take OpenGL 3.1");
+    return renderer->gl->PrimitiveRestartIndex ||
+           gl_fail(renderer->gl, "hybrid shadows take OpenGL 3.1");
 }
 
-static bool pass_volume_make(Render *render)
+static bool pass_volume_make(Renderer *renderer)
 {
-    FrameVolumes *volumes = volume_state(render);
-    const int views = render->shadows->views.count, lights = volume_lights_count(render);
-    if (!check(render))
+    FrameVolumes *volumes = volume_state(renderer);
+    const int views = renderer->shadows->views.count, lights = volume_lights_count(renderer);
+    if (!check(renderer))
         return false;
     volumes->sheets = calloc((size_t)views, sizeof *volumes->sheets);
     volumes->caps = calloc((size_t)views, sizeof *volumes->caps);
     volumes->marks = calloc((size_t)lights, sizeof *volumes->marks);
     if (!volumes->sheets || !volumes->caps || !volumes->marks)
-        return gl_fail(render->gl, "out of memory");
+        return gl_fail(renderer->gl, "out of memory");
     volumes->view_count = views;
     volumes->light_count = lights;
-    render->gl->GenVertexArrays(1, &volumes->array);
+    renderer->gl->GenVertexArrays(1, &volumes->array);
     bool fine = true;
     for (int i = 0; fine && i < views; i++)
-        fine = !volume_has_view(render, i) || make_view(render, i);
+        fine = !volume_has_view(renderer, i) || make_view(renderer, i);
     for (int i = 0; fine && i < lights; i++)
-        fine = make_mark(render, i);
+        fine = make_mark(renderer, i);
     return fine;
 }
 
 /* Updates matrices after a change of the camera's or the lights' views. */
-static void pass_volume_change(Render *render)
+static void pass_volume_change(Renderer *renderer)
 {
-    for (int i = 0; i < volume_state(render)->view_count; i++) {
-        if (volume_state(render)->sheets[i].store)
-            pass_volume_place(render, i, &volume_state(render)->sheets[i]);
-        if (volume_state(render)->caps[i].store)
-            pass_volume_place(render, i, &volume_state(render)->caps[i]);
+    for (int i = 0; i < volume_state(renderer)->view_count; i++) {
+        if (volume_state(renderer)->sheets[i].store)
+            pass_volume_place(renderer, i, &volume_state(renderer)->sheets[i]);
+        if (volume_state(renderer)->caps[i].store)
+            pass_volume_place(renderer, i, &volume_state(renderer)->caps[i]);
     }
 }
 
 /* -- drawing */
 
-static void draw_view(Render *render, int view)
+static void draw_view(Renderer *renderer, int view)
 {
-    const GlContext *gl = render->gl;
-    FrameVolumes *volumes = volume_state(render);
-    gl->FrontFace(render->shadows->views.views[view].mirrored ? GL_CW : GL_CCW);
-    volume_data_draw(render, view, false);
+    const GlContext *gl = renderer->gl;
+    FrameVolumes *volumes = volume_state(renderer);
+    gl->FrontFace(renderer->shadows->views.views[view].mirrored ? GL_CW : GL_CCW);
+    volume_data_draw(renderer, view, false);
     if (volumes->caps[view].store) {
         gl->BindVertexArray(volumes->array);
         material_use(&volumes->caps[view]);
-        gl->DrawArrays(GL_TRIANGLES, 0, 3 * 4 * (render->scene->shadow_size - 1));
+        gl->DrawArrays(GL_TRIANGLES, 0, 3 * 4 * (renderer->scene->shadow_size - 1));
     }
     gl->BindVertexArray(0);
 }
 
-static void count_faces(Render *render, const ShadowLight *light)
+static void count_faces(Renderer *renderer, const ShadowLight *light)
 {
-    const GlContext *gl = render->gl;
+    const GlContext *gl = renderer->gl;
     gl->ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     gl->StencilFunc(GL_ALWAYS, 0, ~0u);
     gl->StencilOpSeparate(GL_FRONT, GL_KEEP, GL_DECR_WRAP, GL_KEEP);
@@ -243,50 +244,50 @@ static void count_faces(Render *render, const ShadowLight *light)
     gl->Enable(GL_PRIMITIVE_RESTART);
     gl->PrimitiveRestartIndex(~0u);
     for (int i = 0; i < light->count; i++)
-        draw_view(render, light->first + i);
+        draw_view(renderer, light->first + i);
     gl->Disable(GL_PRIMITIVE_RESTART);
     gl->FrontFace(GL_CCW);
     gl->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
 /* Adds the light's bit where the count is not 0, and resets the counts. */
-static void mark(Render *render, int number)
+static void mark(Renderer *renderer, int number)
 {
-    const GlContext *gl = render->gl;
+    const GlContext *gl = renderer->gl;
     gl->Disable(GL_DEPTH_TEST);
     gl->StencilFunc(GL_NOTEQUAL, 0, ~0u);
     gl->StencilOp(GL_KEEP, GL_KEEP, GL_ZERO);
     gl->Enable(GL_BLEND);
     gl->BlendFunc(GL_ONE, GL_ONE);
-    material_use(&volume_state(render)->marks[number]);
-    screen_draw(gl, &render->screen);
+    material_use(&volume_state(renderer)->marks[number]);
+    screen_draw(gl, &renderer->screen);
     gl->BlendFunc(GL_ONE, GL_ZERO);
     gl->Disable(GL_BLEND);
 }
 
-static void pass_volume_draw(Render *render)
+static void pass_volume_draw(Renderer *renderer)
 {
-    const GlContext *gl = render->gl;
+    const GlContext *gl = renderer->gl;
     int number = 0;
-    surface_draw_begin(render, &render->targets.draws[FRAME_DRAW_mask], GL_GEQUAL);
+    surface_draw_begin(renderer, &renderer->targets.draws[FRAME_DRAW_mask], GL_GEQUAL);
     gl->ClearBufferfv(GL_COLOR, 0, (float[4]){0});
     gl->Clear(GL_STENCIL_BUFFER_BIT);
     gl->DepthMask(GL_FALSE);
     gl->Enable(GL_STENCIL_TEST);
     gl->Enable(GL_DEPTH_CLAMP);
     gl->ActiveTexture(GL_TEXTURE0);
-    gl->BindTexture(GL_TEXTURE_2D_ARRAY, render->shadows->maps);
-    for (int i = 0; i < render->scene->light_count; i++)
-        if (render->scene->lights[i].shadows == WORD_Shadows_hybrid) {
-            count_faces(render, &render->shadows->views.lights[i]);
-            mark(render, number++);
+    gl->BindTexture(GL_TEXTURE_2D_ARRAY, renderer->shadows->maps);
+    for (int i = 0; i < renderer->scene->light_count; i++)
+        if (renderer->scene->lights[i].shadows == WORD_Shadows_hybrid) {
+            count_faces(renderer, &renderer->shadows->views.lights[i]);
+            mark(renderer, number++);
         }
     gl->Disable(GL_DEPTH_CLAMP);
     gl->StencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
     gl->StencilFunc(GL_ALWAYS, 0, ~0u);
     gl->Disable(GL_STENCIL_TEST);
     gl->DepthMask(GL_TRUE);
-    surface_draw_end(render);
+    surface_draw_end(renderer);
 }
 
 static void delete_all(Material *materials, int count)
@@ -297,32 +298,32 @@ static void delete_all(Material *materials, int count)
     free(materials);
 }
 
-static void pass_volume_delete(Render *render)
+static void pass_volume_delete(Renderer *renderer)
 {
-    const GlContext *gl = render->gl;
-    FrameVolumes *volumes = volume_state(render);
+    const GlContext *gl = renderer->gl;
+    FrameVolumes *volumes = volume_state(renderer);
     delete_all(volumes->sheets, volumes->view_count);
     delete_all(volumes->caps, volumes->view_count);
     delete_all(volumes->marks, volumes->light_count);
     delete_all(volumes->shown, volumes->view_count);
     gl->DeleteVertexArrays(1, &volumes->array); /* GL ignores the name 0 */
-    volume_data_delete(render);
-    volume_blur_delete(render);
+    volume_data_delete(renderer);
+    volume_blur_delete(renderer);
     *volumes = (FrameVolumes){0};
 }
 
-static bool pass_volume_changed(Render *render, unsigned what)
+static bool pass_volume_changed(Renderer *renderer, unsigned what)
 {
     (void)what;
-    pass_volume_change(render);
+    pass_volume_change(renderer);
     return true;
 }
 
 /* Fits shadow maps again after objects have moved, since their views depend on objects. */
-static bool pass_volume_moved(Render *render, int first, int count)
+static bool pass_volume_moved(Renderer *renderer, int first, int count)
 {
     (void)first, (void)count;
-    pass_volume_change(render);
+    pass_volume_change(renderer);
     return true;
 }
 

@@ -29,65 +29,65 @@ typedef struct {
     GLuint cells, commands; /* buffers of volume_cells.c: lists of cells, and draw commands */
 } FrameVolumes;
 
-static inline FrameVolumes *volume_state(const Render *render)
+static inline FrameVolumes *volume_state(const Renderer *renderer)
 {
-    return shadow_method_state(render, WORD_Shadows_hybrid);
+    return shadow_method_state(renderer, WORD_Shadows_hybrid);
 }
 /* Returns the number of lights with hybrid shadows. */
-static inline int volume_lights_count(const Render *render)
+static inline int volume_lights_count(const Renderer *renderer)
 {
-    return shadow_method_lights(render, WORD_Shadows_hybrid);
+    return shadow_method_lights(renderer, WORD_Shadows_hybrid);
 }
 /* Returns whether some light casts hybrid shadows, and some object does. */
-static inline bool volume_lights_cast(const Render *render)
+static inline bool volume_lights_cast(const Renderer *renderer)
 {
-    return render->shadows->views.count > 0 && volume_lights_count(render) > 0;
+    return renderer->shadows->views.count > 0 && volume_lights_count(renderer) > 0;
 }
 /* Returns whether the view belongs to a light with hybrid shadows. */
-static inline bool volume_has_view(const Render *render, int view)
+static inline bool volume_has_view(const Renderer *renderer, int view)
 {
-    return render->shadows->views.views[view].method->word == WORD_Shadows_hybrid;
+    return renderer->shadows->views.views[view].method->word == WORD_Shadows_hybrid;
 }
 
 /* -- Depth blurring, for `volume: blurred` (volume_blur.c) ------------------------------------- */
 
-bool volume_blur_make(Render *render);
+bool volume_blur_make(Renderer *renderer);
 /* Attaches the texture of unblurred depths as the depth target. */
-void volume_blur_use(const Render *render);
+void volume_blur_use(const Renderer *renderer);
 /* Draws the blurred depths to the bound map. */
-void volume_blur_draw(Render *render);
-void volume_blur_delete(Render *render);
+void volume_blur_draw(Renderer *renderer);
+void volume_blur_delete(Renderer *renderer);
 
 /* -- Vertices, by the scene's path (volume_data.c) --------------------------------------------- */
 
-bool volume_data_make(Render *render);
+bool volume_data_make(Renderer *renderer);
 /* Writes the buffers, after the maps are drawn. */
-void volume_data_write(Render *render);
+void volume_data_write(Renderer *renderer);
 /* Defines for the vertex program; `shown`: of a debug view. */
-const char *volume_data_text(const Render *render, bool shown);
-void volume_data_draw(const Render *render, int view, bool shown);
+const char *volume_data_text(const Renderer *renderer, bool shown);
+void volume_data_draw(const Renderer *renderer, int view, bool shown);
 /* Appends a line for --stats. */
-void volume_data_put(Text *out, const Render *render);
-void volume_data_delete(Render *render);
+void volume_data_put(Text *out, const Renderer *renderer);
+void volume_data_delete(Renderer *renderer);
 
 /* -- Volumes cut at silhouettes (volume_cells.c) ----------------------------------------------- */
 
 /* Returns whether the scene has `volume: silhouette`. */
-bool volume_cells_are(const Render *render);
-bool volume_cells_make(Render *render);
+bool volume_cells_are(const Renderer *renderer);
+bool volume_cells_make(Renderer *renderer);
 /* Lists the cells of all views, after the maps are drawn. */
-void volume_cells_write(Render *render);
+void volume_cells_write(Renderer *renderer);
 /* Defines for the vertex program: it draws listed cells, or all. */
 const char *volume_cells_head(bool listed);
 /* Returns GLSL declarations of the samplers that volume_cells.glsl reads. */
 const char *volume_cells_maps(void);
 /* Draws the listed cells of a view; `number` is its index among hybrid views. */
-void volume_cells_draw(const Render *render, int view, int number);
+void volume_cells_draw(const Renderer *renderer, int view, int number);
 /* Draws all cells in a fixed order, for a view that blends colors. */
-void volume_cells_draw_all(const Render *render, int view, int number);
+void volume_cells_draw_all(const Renderer *renderer, int view, int number);
 /* Returns the bytes of the lists. */
-size_t volume_cells_bytes(const Render *render);
-void volume_cells_delete(Render *render);
+size_t volume_cells_bytes(const Renderer *renderer);
+void volume_cells_delete(Renderer *renderer);
 
 /* -- Debug views (volume_shown.c) -------------------------------------------------------------- */
 
@@ -95,13 +95,13 @@ void volume_cells_delete(Render *render);
 const FrameLook *volume_shown_find(const char *name);
 /* Volumes in a debug view: made after the maps; updated for a new camera or tile; drawn to the
  * targets light and tools, with depth. */
-bool volume_shown_make(Render *render);
-void volume_shown_place(Render *render);
-void volume_shown_draw(Render *render);
+bool volume_shown_make(Renderer *renderer);
+void volume_shown_place(Renderer *renderer);
+void volume_shown_draw(Renderer *renderer);
 
 /* Sets the uniforms of volume_vertex.glsl for a view of a light; returns the version line of its
  * text. */
-void pass_volume_place(const Render *render, int number, Material *material);
-const char *pass_volume_head(const Render *render);
+void pass_volume_place(const Renderer *renderer, int number, Material *material);
+const char *pass_volume_head(const Renderer *renderer);
 extern const FramePass pass_volume;
 #endif

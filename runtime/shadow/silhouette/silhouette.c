@@ -3,8 +3,8 @@
 #include "gen/render_text.h"
 #include "runtime/shadow/silhouette/silhouette.h"
 #include "runtime/gpu_scene/instances.h"
-#include "runtime/frame/frame.h"
-#include "runtime/frame/transparency_draw.h"
+#include "runtime/frame_graph/frame.h"
+#include "runtime/frame_graph/transparency_draw.h"
 #include "runtime/gpu_scene/edge_list.h"
 #include <stdlib.h>
 #include <string.h>
@@ -19,17 +19,17 @@ enum {
 };
 enum { MOST_EDGES = MOST_GROUPS * GROUP /* limit of one dispatch */ };
 
-int silhouette_layer(const Render *render, int view)
+int silhouette_layer(const Renderer *renderer, int view)
 {
     int count = 0;
     for (int i = 0; i < view; i++)
-        count += render->shadows->views.views[i].crossed;
+        count += renderer->shadows->views.views[i].crossed;
     return count;
 }
 
-int silhouette_layers(const Render *render)
+int silhouette_layers(const Renderer *renderer)
 {
-    return silhouette_layer(render, render->shadows->views.count);
+    return silhouette_layer(renderer, renderer->shadows->views.count);
 }
 
 /* -- edges of meshes */
@@ -70,16 +70,16 @@ static bool add_mesh(Silhouettes *made, const EdgeMesh *mesh, int number, Silhou
     return true;
 }
 
-static bool gather_edges(const Render *render, Silhouettes *made, SilhouetteEdge **edges)
+static bool gather_edges(const Renderer *renderer, Silhouettes *made, SilhouetteEdge **edges)
 {
-    const GpuScene *gpu_scene = &render->gpu_scene;
+    const GpuScene *gpu_scene = &renderer->gpu_scene;
     bool fine = true;
     for (int i = 0; fine && i < gpu_scene->place_count && !gpu_scene->places[i].transparent; i++) {
         const GpuScenePlace *place = &gpu_scene->places[i];
         EdgeMesh mesh;
         if (made->meshes[place->mesh].count)
             continue;
-        fine = edge_list_mesh(render->scene, &render->scene->objects[place->object], &mesh);
+        fine = edge_list_mesh(renderer->scene, &renderer->scene->objects[place->object], &mesh);
         if (fine) {
             fine = add_mesh(made, &mesh, place->mesh, edges);
             edge_mesh_free(&mesh);
@@ -90,13 +90,14 @@ static bool gather_edges(const Render *render, Silhouettes *made, SilhouetteEdge
 
 /* -- resources */
 
-static GLuint make_buffer(Render *render, const void *from, size_t bytes)
+static GLuint make_buffer(Renderer *renderer, const void *from, size_t bytes)
 {
-    const GlContext *gl = render->gl;
+    const GlContext *gl = renderer->gl;
     GLuint buffer = 0;
-    if (bytes > transparency_most_bytes(render)) {
-        gl_fail(render->gl, "shadows: silhouette takes %lu bytes in a buffer, and there may be %lu",
-                (unsigned long)bytes, (unsigned long)transparency_most_bytes(render));
+    if (bytes > transparency_most_bytes(renderer)) {
+        gl_fail(renderer->gl,
+                "shadows: silhouette takes %lu bytes in a buffer, and there may be %lu",
+                (unsigned long)bytes, (unsigned long)transparency_most_bytes(renderer));
         return 0;
     }
     gl->GenBuffers(1, &buffer);
@@ -106,64 +107,65 @@ static GLuint make_buffer(Render *render, const void *from, size_t bytes)
     return buffer;
 }
 
-static bool make_edges(Render *render, Silhouettes *made)
+static bool make_edges(Renderer *renderer, Silhouettes *made)
 {
     SilhouetteEdge *edges = NULL;
-    made->meshes = calloc((size_t)render->gpu_scene.mesh_count + 1, sizeof *made->meshes);
-    if (!made->meshes || !gather_edges(render, made, &edges)) {
+    made->meshes = calloc((size_t)renderer->gpu_scene.mesh_count + 1, sizeof *made->meshes);
+    if (!made->meshes || !gather_edges(renderer, made, &edges)) {
         free(edges);
-        return gl_fail(render->gl, "out of memory, or more than %d edges for shadows: silhouette",
+        return gl_fail(renderer->gl, "out of memory, or more than %d edges for shadows: silhouette",
                        (int)MOST_EDGES);
     }
-    made->edges = make_buffer(render, edges, (size_t)made->edge_count * sizeof *edges + 1);
+    made->edges = make_buffer(renderer, edges, (size_t)made->edge_count * sizeof *edges + 1);
     free(edges);
     return made->edges != 0;
 }
 
-static size_t extents_bytes(const Render *render)
+static size_t extents_bytes(const Renderer *renderer)
 {
-    const size_t size = (size_t)render->scene->shadow_size;
+    const size_t size = (size_t)renderer->scene->shadow_size;
     return size * size * 2 * sizeof(GLuint);
 }
 
-static bool make_textures(Render *render, Silhouettes *made)
+static bool make_textures(Renderer *renderer, Silhouettes *made)
 {
-    const GlContext *gl = render->gl;
-    const int size = render->scene->shadow_size;
+    const GlContext *gl = renderer->gl;
+    const int size = renderer->scene->shadow_size;
     gl->GenTextures(1, &made->crossings);
     gl->BindTexture(GL_TEXTURE_2D_ARRAY, made->crossings);
     gl->TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     gl->TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     gl->TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, 0);
-    gl->TexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RG8, size, size, silhouette_layers(render), 0, GL_RG,
-                   GL_UNSIGNED_BYTE, NULL);
-    made->extents = make_buffer(render, NULL, extents_bytes(render));
+    gl->TexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RG8, size, size, silhouette_layers(renderer), 0,
+                   GL_RG, GL_UNSIGNED_BYTE, NULL);
+    made->extents = make_buffer(renderer, NULL, extents_bytes(renderer));
     gl->GenBuffers(1, &made->places);
-    return made->extents && gl_check(render->gl, "making crossings of silhouettes");
+    return made->extents && gl_check(renderer->gl, "making crossings of silhouettes");
 }
 
-bool silhouette_make(Render *render)
+bool silhouette_make(Renderer *renderer)
 {
     static const char head[] = "#version 450 core\n";
-    Silhouettes *made = silhouette_state(render);
-    if (!silhouette_layers(render))
+    Silhouettes *made = silhouette_state(renderer);
+    if (!silhouette_layers(renderer))
         return true;
-    if (!render->gpu_scene.instances || !render->gl->DispatchCompute)
-        return gl_fail(render->gl, "shadows: silhouette takes OpenGL 4.5, and the driver has %d.%d",
-                       render->gl->major, render->gl->minor);
-    return make_edges(render, made) && make_textures(render, made) &&
-           material_make(render->store, NULL,
+    if (!renderer->gpu_scene.instances || !renderer->gl->DispatchCompute)
+        return gl_fail(renderer->gl,
+                       "shadows: silhouette takes OpenGL 4.5, and the driver has %d.%d",
+                       renderer->gl->major, renderer->gl->minor);
+    return make_edges(renderer, made) && make_textures(renderer, made) &&
+           material_make(renderer->store, NULL,
                          &(ProgramText){.compute = {head, render_text_silhouette_find}},
                          &made->find) &&
-           material_make(render->store, NULL,
+           material_make(renderer->store, NULL,
                          &(ProgramText){.compute = {head, render_text_silhouette_pack}},
                          &made->pack);
 }
 
-void silhouette_delete(Render *render)
+void silhouette_delete(Renderer *renderer)
 {
-    const GlContext *gl = render->gl;
-    Silhouettes *made = silhouette_state(render);
+    const GlContext *gl = renderer->gl;
+    Silhouettes *made = silhouette_state(renderer);
     gl->DeleteTextures(1, &made->crossings); /* GL ignores the name 0 */
     gl->DeleteBuffers(3, (GLuint[]){made->extents, made->edges, made->places});
     free(made->meshes);
@@ -177,24 +179,24 @@ void silhouette_delete(Render *render)
 /* -- a view */
 
 /* Sets a matrix whose columns are the three rows, and (near, the map's size, its number). */
-static void set_view(const Render *render, int number, Material *material)
+static void set_view(const Renderer *renderer, int number, Material *material)
 {
-    const ShadowView *view = &render->shadows->views.views[number];
+    const ShadowView *view = &renderer->shadows->views.views[number];
     float m[16] = {0};
     for (int i = 0; i < 12; i++)
         m[i] = (float)view->rows[i / 4][i % 4];
     m[12] = (float)view->near;
-    m[13] = (float)render->scene->shadow_size;
+    m[13] = (float)renderer->scene->shadow_size;
     m[14] = (float)number;
     material_set(material, &(MaterialValue){"silhouette_view", 16, m});
 }
 
 /* Lists the opaque objects in a view, sorted by mesh, those drawn by depth only first. Returns
  * their number. */
-static int list_places(Render *render, const ShadowView *view)
+static int list_places(Renderer *renderer, const ShadowView *view)
 {
-    GpuScene *gpu_scene = &render->gpu_scene;
-    const GlContext *gl = render->gl;
+    GpuScene *gpu_scene = &renderer->gpu_scene;
+    const GlContext *gl = renderer->gl;
     const CullVolume volume = shadow_views_volume(view);
     uint32_t *list =
         gpu_scene->list + (size_t)(GPU_SCENE_LISTS - 1) * (size_t)gpu_scene->place_count;
@@ -203,48 +205,49 @@ static int list_places(Render *render, const ShadowView *view)
         const GpuScenePlace *place = &gpu_scene->places[gpu_scene->cast_order[i]];
         if (!place->transparent &&
             cull_sees(&volume, &gpu_scene->boxes[place->mesh],
-                      &render->scene->objects[place->object].world_from_local))
+                      &renderer->scene->objects[place->object].world_from_local))
             list[count++] = gpu_scene->cast_order[i];
     }
-    gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, silhouette_state(render)->places);
+    gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, silhouette_state(renderer)->places);
     gl->BufferData(GL_SHADER_STORAGE_BUFFER, (GLsizeiptr)sizeof *list * count, list,
                    GL_DYNAMIC_DRAW);
     gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
     return count;
 }
 
-static void find_of_mesh(Render *render, const SilhouetteMesh *mesh, int first, int count)
+static void find_of_mesh(Renderer *renderer, const SilhouetteMesh *mesh, int first, int count)
 {
-    Silhouettes *made = silhouette_state(render);
+    Silhouettes *made = silhouette_state(renderer);
     const GLuint groups = ((GLuint)mesh->count + GROUP - 1) / GROUP;
     for (int done = 0; groups && done < count; done += MOST_GROUPS) {
         const int next = count - done < MOST_GROUPS ? count - done : MOST_GROUPS;
         const float run[3] = {(float)mesh->first, (float)mesh->count, (float)(first + done)};
         material_set(&made->find, &(MaterialValue){"silhouette_run", 3, run});
         material_use(&made->find);
-        render->gl->DispatchCompute(groups, (GLuint)next, 1);
+        renderer->gl->DispatchCompute(groups, (GLuint)next, 1);
     }
 }
 
-static void bind(const Render *render)
+static void bind(const Renderer *renderer)
 {
-    const GlContext *gl = render->gl;
-    const Silhouettes *made = silhouette_state(render);
+    const GlContext *gl = renderer->gl;
+    const Silhouettes *made = silhouette_state(renderer);
     gl->ActiveTexture(GL_TEXTURE0);
-    gl->BindTexture(GL_TEXTURE_2D_ARRAY, render->shadows->maps);
-    gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, INSTANCE_MATRICES, render->gpu_scene.matrices);
+    gl->BindTexture(GL_TEXTURE_2D_ARRAY, renderer->shadows->maps);
+    gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, INSTANCE_MATRICES, renderer->gpu_scene.matrices);
     gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, PLACES_BINDING, made->places);
     gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, EDGES_BINDING, made->edges);
     gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, EXTENTS_BINDING, made->extents);
-    gl->ClearBufferSubData(GL_SHADER_STORAGE_BUFFER, GL_R32UI, 0, (GLsizeiptr)extents_bytes(render),
-                           GL_RED_INTEGER, GL_UNSIGNED_INT, (GLuint[]){0});
+    gl->ClearBufferSubData(GL_SHADER_STORAGE_BUFFER, GL_R32UI, 0,
+                           (GLsizeiptr)extents_bytes(renderer), GL_RED_INTEGER, GL_UNSIGNED_INT,
+                           (GLuint[]){0});
 }
 
-static void pack(Render *render, int layer)
+static void pack(Renderer *renderer, int layer)
 {
-    const GlContext *gl = render->gl;
-    Silhouettes *made = silhouette_state(render);
-    const GLuint groups = ((GLuint)render->scene->shadow_size + SQUARE - 1) / SQUARE;
+    const GlContext *gl = renderer->gl;
+    Silhouettes *made = silhouette_state(renderer);
+    const GLuint groups = ((GLuint)renderer->scene->shadow_size + SQUARE - 1) / SQUARE;
     gl->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
     material_use(&made->pack);
     gl->BindImageTexture(0, made->crossings, 0, GL_FALSE, layer, GL_WRITE_ONLY, GL_RG8);
@@ -252,28 +255,28 @@ static void pack(Render *render, int layer)
     gl->MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
 }
 
-static void find_in_view(Render *render, int number, int layer)
+static void find_in_view(Renderer *renderer, int number, int layer)
 {
-    const GpuScene *gpu_scene = &render->gpu_scene;
-    Silhouettes *made = silhouette_state(render);
-    const int count = list_places(render, &render->shadows->views.views[number]);
+    const GpuScene *gpu_scene = &renderer->gpu_scene;
+    Silhouettes *made = silhouette_state(renderer);
+    const int count = list_places(renderer, &renderer->shadows->views.views[number]);
     const uint32_t *list =
         gpu_scene->list + (size_t)(GPU_SCENE_LISTS - 1) * (size_t)gpu_scene->place_count;
-    set_view(render, number, &made->find);
-    set_view(render, number, &made->pack);
-    bind(render);
+    set_view(renderer, number, &made->find);
+    set_view(renderer, number, &made->pack);
+    bind(renderer);
     for (int first = 0, end; first < count; first = end) {
         const int mesh = gpu_scene->places[list[first]].mesh;
         for (end = first + 1; end < count && gpu_scene->places[list[end]].mesh == mesh;)
             end++;
-        find_of_mesh(render, &made->meshes[mesh], first, end - first);
+        find_of_mesh(renderer, &made->meshes[mesh], first, end - first);
     }
-    pack(render, layer);
+    pack(renderer, layer);
 }
 
-void silhouette_find(Render *render)
+void silhouette_find(Renderer *renderer)
 {
-    for (int i = 0, layer = 0; i < render->shadows->views.count; i++)
-        if (render->shadows->views.views[i].crossed)
-            find_in_view(render, i, layer++);
+    for (int i = 0, layer = 0; i < renderer->shadows->views.count; i++)
+        if (renderer->shadows->views.views[i].crossed)
+            find_in_view(renderer, i, layer++);
 }

@@ -23,17 +23,17 @@ typedef struct {
     Material find, pack;
 } Silhouettes;
 
-static inline Silhouettes *silhouette_state(const Render *render)
+static inline Silhouettes *silhouette_state(const Renderer *renderer)
 {
-    return shadow_method_state(render, WORD_Shadows_silhouette);
+    return shadow_method_state(renderer, WORD_Shadows_silhouette);
 }
 /* Returns the number of views with crossings. */
-int silhouette_layers(const Render *render);
+int silhouette_layers(const Renderer *renderer);
 /* Returns the layer of a view among the views with crossings. */
-int silhouette_layer(const Render *render, int view);
+int silhouette_layer(const Renderer *renderer, int view);
 /* Makes the programs and buffers. False: failed, see the context's error. */
-bool silhouette_make(Render *render);
+bool silhouette_make(Renderer *renderer);
 /* Finds crossings in all views that need them, after their maps are drawn. */
-void silhouette_find(Render *render);
-void silhouette_delete(Render *render);
+void silhouette_find(Renderer *renderer);
+void silhouette_delete(Renderer *renderer);
 #endif

@@ -1,5 +1,5 @@
 /* The technique's row: silhouette shadows, with the planes of the triangles that pixels show. */
-#include "runtime/frame/frame.h"
+#include "runtime/frame_graph/frame.h"
 #include "gen/render_text.h"
 #include "runtime/shadow/shadow.h"
 #include "runtime/shadow/silhouette/silhouette.h"
@@ -13,24 +13,25 @@ static bool crossed(const Scene *scene)
     return true;
 }
 
-static bool seen_wanted(const Render *render)
+static bool seen_wanted(const Renderer *renderer)
 {
-    return shadow_method_lights(render, WORD_Shadows_silhouette) > 0 && shadow_seen_fits(render) &&
-           render->gl->major * 10 + render->gl->minor >= 45 && shadow_shows_light(render);
+    return shadow_method_lights(renderer, WORD_Shadows_silhouette) > 0 &&
+           shadow_seen_fits(renderer) && renderer->gl->major * 10 + renderer->gl->minor >= 45 &&
+           shadow_shows_light(renderer);
 }
 
-static bool seen_needed(const Render *render) { return silhouette_layers(render) > 0; }
+static bool seen_needed(const Renderer *renderer) { return silhouette_layers(renderer) > 0; }
 
 /* Draws without slope-scaled bias, since silhouette.glsl compares with planes. */
-static void draw(Render *render, const GpuSceneSource *source, int view)
+static void draw(Renderer *renderer, const GpuSceneSource *source, int view)
 {
-    render->gl->PolygonOffset(-1.0f / 64, -2);
-    shadow_draw_cast(render, source, view, false);
+    renderer->gl->PolygonOffset(-1.0f / 64, -2);
+    shadow_draw_cast(renderer, source, view, false);
 }
 
-static bool has_views(const Render *render)
+static bool has_views(const Renderer *renderer)
 {
-    const ShadowViews *views = &render->shadows->views;
+    const ShadowViews *views = &renderer->shadows->views;
     bool has = false;
     for (int i = 0; i < views->count; i++)
         has |= views->views[i].method->word == WORD_Shadows_silhouette;
@@ -38,15 +39,15 @@ static bool has_views(const Render *render)
 }
 
 /* Writes the GLSL text; other techniques may read crossings, too. */
-static void write_text(const Render *render, bool nearest, ShadowMethodText *made)
+static void write_text(const Renderer *renderer, bool nearest, ShadowMethodText *made)
 {
     const char **next = made->texts;
     const bool facets =
-        nearest && shadow_method_seen(render) == &shadow_silhouette && seen_needed(render);
-    if (!silhouette_layers(render))
+        nearest && shadow_method_seen(renderer) == &shadow_silhouette && seen_needed(renderer);
+    if (!silhouette_layers(renderer))
         return;
     *next++ = "uniform sampler2DArray silhouette_crossings;\n";
-    if (!has_views(render))
+    if (!has_views(renderer))
         return;
     snprintf(made->defined, sizeof made->defined, "#define SHADOW_SILHOUETTES\n%s",
              facets ? "#define FACETS\n" : "");
@@ -59,19 +60,19 @@ static void write_text(const Render *render, bool nearest, ShadowMethodText *mad
     made->calls[SHADOW_CALL_way] = "facetTurn";
 }
 
-static void bind(const Render *render, int unit)
+static void bind(const Renderer *renderer, int unit)
 {
-    if (!silhouette_state(render)->crossings)
+    if (!silhouette_state(renderer)->crossings)
         return;
-    render->gl->ActiveTexture(GL_TEXTURE0 + (GLenum)unit);
-    render->gl->BindTexture(GL_TEXTURE_2D_ARRAY, silhouette_state(render)->crossings);
+    renderer->gl->ActiveTexture(GL_TEXTURE0 + (GLenum)unit);
+    renderer->gl->BindTexture(GL_TEXTURE_2D_ARRAY, silhouette_state(renderer)->crossings);
 }
 
-static void put(Text *out, const Render *render)
+static void put(Text *out, const Renderer *renderer)
 {
-    const Silhouettes *silhouettes = silhouette_state(render);
-    const long texels = (long)render->scene->shadow_size * render->scene->shadow_size;
-    const int count = silhouette_layers(render);
+    const Silhouettes *silhouettes = silhouette_state(renderer);
+    const long texels = (long)renderer->scene->shadow_size * renderer->scene->shadow_size;
+    const int count = silhouette_layers(renderer);
     if (silhouettes->crossings)
         text_format(out,
                     "shadow    %d of them with crossings of silhouettes, RG8, %ld bytes; %ld to "

@@ -2,7 +2,7 @@
  * how they are divided; how many are displaced and drawn a second. */
 #include "displacement.h"
 #include "tests/bench/matbench.h"
-#include "runtime/render/render.h"
+#include "runtime/renderer/renderer.h"
 #include "runtime/tessellate/scene_divide.h"
 #include "runtime/tessellate/scene_refine.h"
 #include <math.h>

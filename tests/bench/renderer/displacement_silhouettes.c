@@ -3,7 +3,7 @@
  * pixel. */
 #include "displacement.h"
 #include "tests/bench/matbench.h"
-#include "runtime/render/render.h"
+#include "runtime/renderer/renderer.h"
 #include "runtime/scene_reader/scene_read.h"
 #include <math.h>
 #include <stdio.h>
@@ -54,12 +54,12 @@ static void read_mask(const float *light, Mask *mask)
         mask->count += mask->covered[i] = light[4 * i] > .1f;
 }
 
-static bool draw_view(Render *render, Scene *scene, int view, float *light)
+static bool draw_view(Renderer *render, Scene *scene, int view, float *light)
 {
     memcpy(scene->camera.position, views[view], sizeof views[view]);
     return scene_camera_aim(&scene->camera) == SCENE_AIM_fine &&
-           render_changed(render, RENDER_CAMERA) && render_frame(render) &&
-           render_read(render, light);
+           renderer_changed(render, RENDERER_CAMERA) && renderer_frame(render) &&
+           renderer_read(render, light);
 }
 
 /* A mask for each view. Triangles come back where edges are blended. */
@@ -82,12 +82,13 @@ static bool draw(GlContext *gl, const char *how, bool counted, Mask *masks)
     matc_options_init(&compile);
     compile.pixels = true;
     MatcDocument *document = scene_read("scene.yaml", text, strlen(text), &compile, &scene);
-    const RenderOptions options = {.compile = &compile,
-                                   .view = "light",
-                                   .edges = counted ? RENDER_EDGES_coverage : RENDER_EDGES_none};
-    Render *render = scene ? render_open(gl, &options) : NULL;
+    const RendererOptions options = {.compile = &compile,
+                                     .view = "light",
+                                     .edges =
+                                         counted ? RENDERER_EDGES_coverage : RENDERER_EDGES_none};
+    Renderer *render = scene ? renderer_open(gl, &options) : NULL;
     float *light = malloc(4 * (size_t)PIXELS * sizeof *light);
-    bool fine = light && render && render_scene(render, scene);
+    bool fine = light && render && renderer_set_scene(render, scene);
     for (int view = 0; fine && view < VIEWS; view++) {
         fine = draw_view(render, scene, view, light);
         if (!fine)
@@ -98,7 +99,7 @@ static bool draw(GlContext *gl, const char *how, bool counted, Mask *masks)
     }
     fine = fine || fail(gl, scene, document);
     free(light);
-    render_close(render);
+    renderer_close(render);
     scene_free(scene);
     matc_document_free(document);
     return fine;

@@ -3,7 +3,7 @@
 #include "displacement.h"
 #include "tests/bench/matbench.h"
 #include "runtime/displace/displaced.h"
-#include "runtime/render/render.h"
+#include "runtime/renderer/renderer.h"
 #include "runtime/scene_reader/scene_read.h"
 #include <math.h>
 #include <stdio.h>
@@ -21,13 +21,13 @@ static const struct {
                {"geometry", WORD_Displacing_geometry}};
 
 /* Seconds that the pass surface takes, at least. */
-static double least_frame(GlContext *gl, Render *render)
+static double least_frame(GlContext *gl, Renderer *render)
 {
-    RenderPassTime times[RENDER_PASSES_MOST];
+    RendererPassTime times[RENDERER_PASSES_MOST];
     double least = INFINITY;
     for (int i = 0; i < FRAMES; i++) {
         gl->Finish();
-        const int count = render_time_passes(render, times);
+        const int count = renderer_time_passes(render, times);
         for (int k = 0; k < count; k++)
             if (!strcmp(times[k].name, "surface"))
                 least = fmin(least, times[k].seconds);
@@ -91,9 +91,9 @@ static bool measure_method(GlContext *gl, bool timed, int row, int triangles)
            count = scene ? scene->meshes[scene->objects[0].mesh].shape.index_count / 3. : 0;
     if (scene && methods[row].driver)
         displaced = least_write(gl, scene, &compile, &count);
-    Render *render = scene ? render_open(gl, &(RenderOptions){.compile = &compile}) : NULL;
+    Renderer *render = scene ? renderer_open(gl, &(RendererOptions){.compile = &compile}) : NULL;
     const bool fine =
-        displaced >= 0 && render && render_scene(render, scene) && render_frame(render);
+        displaced >= 0 && render && renderer_set_scene(render, scene) && renderer_frame(render);
     if (fine) {
         const double drawn = least_frame(gl, render), millions = count / 1e6;
         printf("%-12s %10.0f %12s %12s %12s\n", methods[row].name, count,
@@ -104,7 +104,7 @@ static bool measure_method(GlContext *gl, bool timed, int row, int triangles)
         fprintf(stderr, "matbench: %s\n",
                 scene ? gl->error : matc_diagnostics(document, MATC_TEXT));
     }
-    render_close(render);
+    renderer_close(render);
     scene_free(scene);
     matc_document_free(document);
     return fine;

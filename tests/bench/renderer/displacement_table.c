@@ -4,9 +4,9 @@
  * alone. */
 #include "displacement.h"
 #include "tests/bench/matbench.h"
-#include "runtime/frame/frame.h"
+#include "runtime/frame_graph/frame.h"
 #include "runtime/autotune/plot.h"
-#include "runtime/render/render.h"
+#include "runtime/renderer/renderer.h"
 #include "runtime/scene_reader/scene_read.h"
 #include <math.h>
 #include <stdio.h>
@@ -114,7 +114,7 @@ typedef struct {
     MatcOptions compile;
     MatcDocument *document;
     Scene *scene;
-    Render *render;
+    Renderer *render;
 } Drawn;
 
 static bool open_drawn(GlContext *gl, const char *how, Drawn *d)
@@ -136,8 +136,8 @@ static bool open_drawn(GlContext *gl, const char *how, Drawn *d)
              "[-5, -5, 0] } }\n",
              SIDE, SIDE, how);
     d->document = scene_read("scene.yaml", text, strlen(text), &d->compile, &d->scene);
-    d->render = d->scene ? render_open(gl, &(RenderOptions){.compile = &d->compile}) : NULL;
-    if (d->render && render_scene(d->render, d->scene))
+    d->render = d->scene ? renderer_open(gl, &(RendererOptions){.compile = &d->compile}) : NULL;
+    if (d->render && renderer_set_scene(d->render, d->scene))
         return true;
     fprintf(stderr, "matbench: %s\n",
             d->scene ? gl->error : matc_diagnostics(d->document, MATC_TEXT));
@@ -146,7 +146,7 @@ static bool open_drawn(GlContext *gl, const char *how, Drawn *d)
 
 static void close_drawn(Drawn *d)
 {
-    render_close(d->render);
+    renderer_close(d->render);
     scene_free(d->scene);
     matc_document_free(d->document);
 }
@@ -161,7 +161,7 @@ static bool measure(Drawn *d, double height, Point *made)
             return false;
         d->gl->Finish();
         const double begin = bench_now();
-        if (!render_changed(d->render, RENDER_CAMERA) || !render_frame(d->render))
+        if (!renderer_changed(d->render, RENDERER_CAMERA) || !renderer_frame(d->render))
             return false;
         d->gl->Finish();
         made->seconds = fmin(made->seconds, bench_now() - begin);

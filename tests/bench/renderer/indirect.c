@@ -23,7 +23,7 @@ typedef struct {
     GlContext *gl;
     MatcDocument *document;
     Scene *scene;
-    Render *render;
+    Renderer *render;
 } Place;
 
 /* -- a ball or a mesh on a slab, drawn once as voxels */
@@ -63,8 +63,9 @@ static bool open_place(GlContext *gl, const BenchOptions *a, int detail, Place *
         fputs(matc_diagnostics(p->document, MATC_TEXT), stderr);
         return false;
     }
-    p->render = render_open(gl, &(RenderOptions){.compile = &compile, .view = "voxels"});
-    const bool fine = p->render && render_scene(p->render, p->scene) && render_frame(p->render);
+    p->render = renderer_open(gl, &(RendererOptions){.compile = &compile, .view = "voxels"});
+    const bool fine =
+        p->render && renderer_set_scene(p->render, p->scene) && renderer_frame(p->render);
     if (!fine)
         fprintf(stderr, "matbench: %s\n", gl->error);
     return fine;
@@ -72,7 +73,7 @@ static bool open_place(GlContext *gl, const BenchOptions *a, int detail, Place *
 
 static void close_place(Place *p)
 {
-    render_close(p->render);
+    renderer_close(p->render);
     scene_free(p->scene);
     matc_document_free(p->document);
 }

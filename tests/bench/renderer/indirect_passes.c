@@ -68,13 +68,13 @@ enum { PLACES = sizeof places / sizeof *places };
 typedef struct {
     MatcDocument *document;
     Scene *scene;
-    Render *render;
+    Renderer *render;
     double least[TIMED]; /* seconds */
 } Row;
 
 static void close_row(Row *row)
 {
-    render_close(row->render);
+    renderer_close(row->render);
     scene_free(row->scene);
     matc_document_free(row->document);
 }
@@ -87,15 +87,16 @@ static bool open_row(GlContext *gl, const char *text, const char *view, Row *row
     row->document = scene_read("scene.yaml", text, strlen(text), &compile, &row->scene);
     if (!row->scene)
         return fputs(matc_diagnostics(row->document, MATC_TEXT), stderr), false;
-    row->render = render_open(gl, &(RenderOptions){.compile = &compile, .view = view});
-    return (row->render && render_scene(row->render, row->scene) && render_frame(row->render)) ||
+    row->render = renderer_open(gl, &(RendererOptions){.compile = &compile, .view = view});
+    return (row->render && renderer_set_scene(row->render, row->scene) &&
+            renderer_frame(row->render)) ||
            fprintf(stderr, "matbench: %s\n", gl->error) < 0;
 }
 
 static void time_row(Row *row, bool first)
 {
-    RenderPassTime times[RENDER_PASSES_MOST];
-    for (int count = render_time_passes(row->render, times), i = 0; i < count; i++)
+    RendererPassTime times[RENDERER_PASSES_MOST];
+    for (int count = renderer_time_passes(row->render, times), i = 0; i < count; i++)
         for (int k = 0; k < TIMED; k++)
             if (!strcmp(times[i].name, timed_passes[k]))
                 row->least[k] = first ? times[i].seconds : fmin(row->least[k], times[i].seconds);

@@ -1,7 +1,7 @@
 /* The table passes of matbench indirect. */
 #ifndef MATC_BENCH_INDIRECT_PASSES_H
 #define MATC_BENCH_INDIRECT_PASSES_H
-#include "runtime/render/render.h"
+#include "runtime/renderer/renderer.h"
 
 typedef struct {
     /* indirect_scenes_bunny; NULL: the bunny, where tests/meshes/fetch.sh has put it */

@@ -42,7 +42,7 @@ enum { WAYS = sizeof ways / sizeof *ways };
 typedef struct {
     MatcDocument *document;
     Scene *scene;
-    Render *render;
+    Renderer *render;
     float now[4 * PIXELS];
     double error[PIXELS]; /* of the frame before */
     double off, flicker;  /* sums of mean squares */
@@ -58,8 +58,8 @@ static bool open_path(GlContext *gl, const char *keys, Path *p)
     p->document = scene_read("scene.yaml", text, strlen(text), &compile, &p->scene);
     if (!p->scene)
         return fputs(matc_diagnostics(p->document, MATC_TEXT), stderr), false;
-    p->render = render_open(gl, &(RenderOptions){.compile = &compile, .view = "open"});
-    return p->render && render_scene(p->render, p->scene);
+    p->render = renderer_open(gl, &(RendererOptions){.compile = &compile, .view = "open"});
+    return p->render && renderer_set_scene(p->render, p->scene);
 }
 
 static bool step(Path *p, int number)
@@ -67,8 +67,8 @@ static bool step(Path *p, int number)
     const double angle = .01 * number, far = 4 - .008 * number;
     p->scene->camera.position[0] = .4 + far * sin(angle);
     p->scene->camera.position[1] = -far * cos(angle);
-    return render_changed(p->render, RENDER_CAMERA) && render_frame(p->render) &&
-           render_read(p->render, p->now);
+    return renderer_changed(p->render, RENDERER_CAMERA) && renderer_frame(p->render) &&
+           renderer_read(p->render, p->now);
 }
 
 static void compare(Path *p, const Path *truth, bool first)
@@ -103,7 +103,7 @@ bool bench_indirect_path(GlContext *gl)
     if (!fine)
         fprintf(stderr, "matbench: %s\n", gl->error);
     for (int i = 0; i < WAYS; i++) {
-        render_close(paths[i].render);
+        renderer_close(paths[i].render);
         scene_free(paths[i].scene);
         matc_document_free(paths[i].document);
     }

@@ -25,7 +25,7 @@ enum { VIEWS = sizeof views / sizeof *views };
 typedef struct {
     MatcDocument *document;
     Scene *scene;
-    Render *render;
+    Renderer *render;
     float *values; /* four a pixel */
     double least;  /* seconds */
 } Drawn;
@@ -33,7 +33,7 @@ typedef struct {
 static void close_drawn(Drawn *drawn)
 {
     free(drawn->values);
-    render_close(drawn->render);
+    renderer_close(drawn->render);
     scene_free(drawn->scene);
     matc_document_free(drawn->document);
 }
@@ -51,18 +51,18 @@ static bool draw(GlContext *gl, const IndirectQuality *q, int view, const char *
         return fputs(matc_diagnostics(drawn->document, MATC_TEXT), stderr), false;
     drawn->values = calloc((size_t)q->edge * (size_t)q->edge, 4 * sizeof *drawn->values);
     drawn->render =
-        render_open(gl, &(RenderOptions){.compile = &compile, .view = views[view].view});
-    return (drawn->values && drawn->render && render_scene(drawn->render, drawn->scene) &&
-            render_frame(drawn->render) && render_read(drawn->render, drawn->values)) ||
+        renderer_open(gl, &(RendererOptions){.compile = &compile, .view = views[view].view});
+    return (drawn->values && drawn->render && renderer_set_scene(drawn->render, drawn->scene) &&
+            renderer_frame(drawn->render) && renderer_read(drawn->render, drawn->values)) ||
            fprintf(stderr, "matbench: %s\n", gl->error) < 0;
 }
 
 static void time_frame(Drawn *drawn, bool first)
 {
     static const char *const passes[] = {"rays", "history", "smooth", "spread"};
-    RenderPassTime times[RENDER_PASSES_MOST];
+    RendererPassTime times[RENDERER_PASSES_MOST];
     double sum = 0;
-    for (int count = render_time_passes(drawn->render, times), i = 0; i < count; i++)
+    for (int count = renderer_time_passes(drawn->render, times), i = 0; i < count; i++)
         for (size_t k = 0; k < sizeof passes / sizeof *passes; k++)
             sum += strcmp(times[i].name, passes[k]) ? 0 : times[i].seconds;
     drawn->least = first ? sum : fmin(drawn->least, sum);

@@ -1,7 +1,7 @@
 /* The table quality of matbench indirect. */
 #ifndef MATC_BENCH_INDIRECT_QUALITY_H
 #define MATC_BENCH_INDIRECT_QUALITY_H
-#include "runtime/render/render.h"
+#include "runtime/renderer/renderer.h"
 
 typedef struct {
     int edge; /* of the picture, in pixels */

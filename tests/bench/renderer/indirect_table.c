@@ -5,7 +5,7 @@
 #include "tests/bench/matbench.h"
 #include "runtime/scene_reader/scene_read.h"
 #include "shadows_scene.h"
-#include "runtime/frame/frame.h"
+#include "runtime/frame_graph/frame.h"
 #include "runtime/mesh_import/model.h"
 #include "tests/meshes/meshes.h"
 #include <math.h>
@@ -190,12 +190,12 @@ typedef struct {
 typedef struct {
     MatcDocument *document;
     Scene *scene;
-    Render *render;
+    Renderer *render;
 } Drawn;
 
 static void close_drawn(Drawn *d)
 {
-    render_close(d->render);
+    renderer_close(d->render);
     if (d->scene)
         d->scene->mesh_count = 0; /* they are the table's */
     scene_free(d->scene);
@@ -226,10 +226,10 @@ static bool open_drawn(const Bench *b, const char *keys, const char *view, Drawn
         object->kind = SCENE_Mesh;
         object->mesh = i < b->mesh_count ? i : b->mesh_count - 1;
     }
-    made->render = render_open(
-        b->gl, &(RenderOptions){.compile = &b->compile, .view = view, .deep = view != NULL});
-    const bool fine =
-        made->render && render_scene(made->render, made->scene) && render_frame(made->render);
+    made->render = renderer_open(
+        b->gl, &(RendererOptions){.compile = &b->compile, .view = view, .deep = view != NULL});
+    const bool fine = made->render && renderer_set_scene(made->render, made->scene) &&
+                      renderer_frame(made->render);
     return fine || fprintf(stderr, "matbench: %s\n", b->gl->error) < 0;
 }
 
@@ -250,7 +250,7 @@ static bool time_frame(const Bench *b, const char *keys, FrameTime *time)
         b->gl->Finish();
         const double begin = bench_now();
         const clock_t used = clock();
-        fine = render_changed(drawn.render, RENDER_CAMERA) && render_frame(drawn.render);
+        fine = renderer_changed(drawn.render, RENDERER_CAMERA) && renderer_frame(drawn.render);
         b->gl->Finish();
         time->seconds = fmin(time->seconds, bench_now() - begin);
         time->processor = fmin(time->processor, (double)(clock() - used) / CLOCKS_PER_SEC);

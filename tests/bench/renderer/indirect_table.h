@@ -1,7 +1,7 @@
 /* The thesis' tables of matbench indirect. */
 #ifndef MATC_BENCH_INDIRECT_TABLE_H
 #define MATC_BENCH_INDIRECT_TABLE_H
-#include "runtime/render/render.h"
+#include "runtime/renderer/renderer.h"
 
 typedef struct {
     /* a folder with bunny.obj and dragon-small.ply; NULL: where tests/meshes/fetch.sh puts them */

@@ -122,7 +122,7 @@ static bool compare(const Bench *bench, BenchScene *scene, Row *row)
 static bool measure_row(const Bench *bench, const Series *of, Row *row)
 {
     const int most = bench->timed ? FORWARD_PROGRAMS : UNTIMED_PROGRAMS;
-    const RenderOptions options = {.view = "light", .lights = "all"};
+    const RendererOptions options = {.view = "light", .lights = "all"};
     Arena arena = {0};
     Text text = text_new(&arena);
     BenchScene scene;

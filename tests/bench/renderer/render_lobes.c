@@ -48,7 +48,7 @@ typedef struct {
 
 static bool open_scenes(const Bench *bench, Lobes *made)
 {
-    const RenderOptions options = {.view = "light", .lights = "all"};
+    const RendererOptions options = {.view = "light", .lights = "all"};
     bool fine = true;
     for (int i = 0; i < SURFACES && fine; i++)
         for (int k = 0; k < COUNTS && fine; k++) {
@@ -76,14 +76,14 @@ static double processor_seconds(void)
  * which other programs have little effect. */
 static double light_seconds(const Bench *bench, BenchScene *scene)
 {
-    RenderPassTime times[RENDER_PASSES_MOST];
+    RendererPassTime times[RENDERER_PASSES_MOST];
     if (!bench->gl->hardware) {
         const double start = processor_seconds();
-        render_frame(scene->render);
+        renderer_frame(scene->render);
         bench->gl->Finish();
         return processor_seconds() - start;
     }
-    const int count = render_time_passes(scene->render, times);
+    const int count = renderer_time_passes(scene->render, times);
     for (int i = 0; i < count; i++)
         if (!strcmp(times[i].name, "light"))
             return times[i].seconds;

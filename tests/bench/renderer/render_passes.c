@@ -11,19 +11,19 @@
 typedef struct {
     const char *name;
     int panes;
-    RenderOptions options;
+    RendererOptions options;
 } Whole;
 
 static const Whole wholes[] = {
-    {"opaque", 0, {.edges = RENDER_EDGES_none}},
-    {"with edges", 0, {.edges = RENDER_EDGES_coverage}},
-    {"ten panes, lists", 10, {.edges = RENDER_EDGES_coverage, .transparency = "lists"}},
-    {"ten panes, peeled", 10, {.edges = RENDER_EDGES_coverage, .transparency = "peeling"}},
+    {"opaque", 0, {.edges = RENDERER_EDGES_none}},
+    {"with edges", 0, {.edges = RENDERER_EDGES_coverage}},
+    {"ten panes, lists", 10, {.edges = RENDERER_EDGES_coverage, .transparency = "lists"}},
+    {"ten panes, peeled", 10, {.edges = RENDERER_EDGES_coverage, .transparency = "peeling"}},
 };
 enum { WHOLES = sizeof wholes / sizeof *wholes };
 
 typedef struct {
-    RenderPassTime passes[RENDER_PASSES_MOST];
+    RendererPassTime passes[RENDERER_PASSES_MOST];
     int count, bytes, fragment_bytes;
 } WholeTimes;
 
@@ -38,9 +38,9 @@ static bool measure_whole(const Bench *bench, const Whole *whole, WholeTimes *ti
     if (fine && bench->timed)
         times->count = bench_scene_passes(bench, &scene, times->passes);
     else if (fine)
-        times->count = render_time_passes(scene.render, times->passes); /* which there are */
-    times->bytes = fine ? render_pixel_bytes(scene.render) : 0;
-    times->fragment_bytes = fine ? render_fragment_bytes(scene.render) : 0;
+        times->count = renderer_time_passes(scene.render, times->passes); /* which there are */
+    times->bytes = fine ? renderer_pixel_bytes(scene.render) : 0;
+    times->fragment_bytes = fine ? renderer_fragment_bytes(scene.render) : 0;
     bench_show("");
     bench_scene_close(&scene);
     arena_free(&arena);
@@ -48,7 +48,7 @@ static bool measure_whole(const Bench *bench, const Whole *whole, WholeTimes *ti
 }
 
 /* "" where it does not run. */
-static const char *pass_time(const Bench *bench, const RenderPassTime *pass,
+static const char *pass_time(const Bench *bench, const RendererPassTime *pass,
                              char text[BENCH_NUMBER])
 {
     if (pass->seconds == 0)
@@ -103,7 +103,7 @@ bool bench_passes(const Bench *bench)
 /* -- transparent fragments */
 
 /* Seconds of the passes of these names. */
-static double seconds_of(const RenderPassTime *passes, int count, const char *const names[2])
+static double seconds_of(const RendererPassTime *passes, int count, const char *const names[2])
 {
     double sum = 0;
     for (int i = 0; i < count; i++)
@@ -119,7 +119,7 @@ static bool measure_layers(const Bench *bench, int layers, const char *way)
     static const char *const parts[][2] = {
         {"lists", NULL}, {"blend", NULL}, {"peel", NULL}, {"lists", "blend"}};
     Bench square = *bench;
-    RenderPassTime passes[RENDER_PASSES_MOST];
+    RendererPassTime passes[RENDERER_PASSES_MOST];
     Arena arena = {0};
     Text text = text_new(&arena);
     BenchScene scene = {0};
@@ -130,7 +130,7 @@ static bool measure_layers(const Bench *bench, int layers, const char *way)
     bench_show(row);
     scenes_panes(&text, layers);
     const bool fine = bench_scene_open(
-        &square, &text, &(RenderOptions){.view = "light", .transparency = way}, &scene);
+        &square, &text, &(RendererOptions){.view = "light", .transparency = way}, &scene);
     if (fine && bench->timed) {
         const int count = bench_scene_passes(&square, &scene, passes);
         for (int i = 0; i < 4; i++) {

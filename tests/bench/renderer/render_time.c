@@ -10,9 +10,9 @@ enum { MOST_FRAMES = 64, FEWEST_FRAMES = 3 };
 
 static bool said(const char *why) { return fprintf(stderr, "matbench: %s\n", why) < 0; }
 
-static RenderOptions options_of(const Bench *bench, const RenderOptions *options)
+static RendererOptions options_of(const Bench *bench, const RendererOptions *options)
 {
-    RenderOptions with = *options;
+    RendererOptions with = *options;
     with.compile = &bench->compile;
     with.width = bench->width;
     with.height = bench->height;
@@ -20,29 +20,30 @@ static RenderOptions options_of(const Bench *bench, const RenderOptions *options
 }
 
 /* Opens it, and draws a first frame. */
-static bool open_render(const Bench *bench, const RenderOptions *options, const Scene *scene,
-                        Render **made)
+static bool open_renderer(const Bench *bench, const RendererOptions *options, const Scene *scene,
+                          Renderer **made)
 {
-    *made = render_open(bench->gl, options);
-    return (*made && render_scene(*made, scene) && render_frame(*made)) || said(bench->gl->error);
+    *made = renderer_open(bench->gl, options);
+    return (*made && renderer_set_scene(*made, scene) && renderer_frame(*made)) ||
+           said(bench->gl->error);
 }
 
-bool bench_scene_open(const Bench *bench, const Text *text, const RenderOptions *options,
+bool bench_scene_open(const Bench *bench, const Text *text, const RendererOptions *options,
                       BenchScene *made)
 {
-    const RenderOptions with = options_of(bench, options);
+    const RendererOptions with = options_of(bench, options);
     *made = (BenchScene){0};
     made->document = scene_read("bench.yaml", text->at, text->size, &bench->compile, &made->scene);
     if (!made->scene)
         return said(matc_diagnostics(made->document, MATC_TEXT));
-    return open_render(bench, &with, made->scene, &made->render);
+    return open_renderer(bench, &with, made->scene, &made->render);
 }
 
-bool bench_scene_open_bounded(const Bench *bench, const RenderOptions *options, BenchScene *made)
+bool bench_scene_open_bounded(const Bench *bench, const RendererOptions *options, BenchScene *made)
 {
-    RenderOptions with = options_of(bench, options);
+    RendererOptions with = options_of(bench, options);
     with.lights = "bounded";
-    return open_render(bench, &with, made->scene, &made->bounded);
+    return open_renderer(bench, &with, made->scene, &made->bounded);
 }
 
 bool bench_scene_open_forward(const Bench *bench, BenchScene *made)
@@ -58,8 +59,8 @@ bool bench_scene_open_forward(const Bench *bench, BenchScene *made)
 void bench_scene_close(BenchScene *scene)
 {
     forward_close(scene->forward);
-    render_close(scene->bounded);
-    render_close(scene->render);
+    renderer_close(scene->bounded);
+    renderer_close(scene->render);
     scene_free(scene->scene);
     matc_document_free(scene->document);
     *scene = (BenchScene){0};
@@ -79,7 +80,7 @@ static double draw(const Bench *bench, BenchScene *scene, BenchWay way, int fram
         if (way == BENCH_WAY_forward)
             forward_draw(scene->forward);
         else
-            render_frame(way == BENCH_WAY_bounded ? scene->bounded : scene->render);
+            renderer_frame(way == BENCH_WAY_bounded ? scene->bounded : scene->render);
     bench->gl->Finish();
     return (bench_now() - start) / frames;
 }
@@ -117,14 +118,14 @@ bool bench_scene_time(const Bench *bench, BenchScene *scene, BenchTimes times[BE
 }
 
 int bench_scene_passes(const Bench *bench, BenchScene *scene,
-                       RenderPassTime least[RENDER_PASSES_MOST])
+                       RendererPassTime least[RENDERER_PASSES_MOST])
 {
     const double end = bench_now() + bench->seconds;
-    RenderPassTime times[RENDER_PASSES_MOST];
-    const int count = render_time_passes(scene->render, least);
+    RendererPassTime times[RENDERER_PASSES_MOST];
+    const int count = renderer_time_passes(scene->render, least);
     for (int frames = 1; frames < MOST_FRAMES && (frames < FEWEST_FRAMES || bench_now() < end);
          frames++) {
-        render_time_passes(scene->render, times);
+        renderer_time_passes(scene->render, times);
         for (int i = 0; i < count; i++)
             least[i].seconds = fmin(least[i].seconds, times[i].seconds);
     }
@@ -161,7 +162,7 @@ static int count_apart(const float *a, const float *b, int pixels, double bound)
     return apart;
 }
 
-static double apart_from_forward(const Bench *bench, const BenchScene *scene, Render *render,
+static double apart_from_forward(const Bench *bench, const BenchScene *scene, Renderer *render,
                                  double bound)
 {
     const int pixels = bench->width * bench->height;
@@ -169,7 +170,7 @@ static double apart_from_forward(const Bench *bench, const BenchScene *scene, Re
     double apart = NAN;
     for (int i = 0; i < 2; i++)
         rgba[i] = calloc((size_t)pixels, 4 * sizeof **rgba);
-    if (rgba[0] && rgba[1] && render_frame(render) && render_read(render, rgba[0]) &&
+    if (rgba[0] && rgba[1] && renderer_frame(render) && renderer_read(render, rgba[0]) &&
         forward_read(scene->forward, rgba[1]) && !is_black(rgba[0], pixels))
         apart = (double)count_apart(rgba[0], rgba[1], pixels, bound) / pixels;
     free(rgba[0]);

@@ -3,7 +3,7 @@
 #define RENDER_TIME_H
 #include "compiler/base/text.h"
 #include "render_forward.h"
-#include "runtime/render/render.h"
+#include "runtime/renderer/renderer.h"
 
 typedef struct {
     GlContext *gl;
@@ -18,9 +18,9 @@ typedef struct {
 typedef struct {
     MatcDocument *document;
     Scene *scene;
-    Render *render;
-    Render *bounded;  /* the same with far lights taken together, or NULL */
-    Forward *forward; /* or NULL */
+    Renderer *render;
+    Renderer *bounded; /* the same with far lights taken together, or NULL */
+    Forward *forward;  /* or NULL */
 } BenchScene;
 
 /* Renderer that draws a scene. */
@@ -32,16 +32,16 @@ typedef struct {
 
 /* False: said on standard error. Close in any case. `options` are those of the renderer but for
  * size and choices. */
-bool bench_scene_open(const Bench *bench, const Text *text, const RenderOptions *options,
+bool bench_scene_open(const Bench *bench, const Text *text, const RendererOptions *options,
                       BenchScene *made);
-bool bench_scene_open_bounded(const Bench *bench, const RenderOptions *options, BenchScene *made);
+bool bench_scene_open_bounded(const Bench *bench, const RendererOptions *options, BenchScene *made);
 bool bench_scene_open_forward(const Bench *bench, BenchScene *made);
 void bench_scene_close(BenchScene *scene);
 /* Frames of all that draw it, in turns, each finished; NAN of the others. */
 bool bench_scene_time(const Bench *bench, BenchScene *scene, BenchTimes times[BENCH_WAYS]);
 /* The least seconds that each pass takes; how many passes there are. */
 int bench_scene_passes(const Bench *bench, BenchScene *scene,
-                       RenderPassTime least[RENDER_PASSES_MOST]);
+                       RendererPassTime least[RENDERER_PASSES_MOST]);
 /* The share of pixels at which the light, cut at 1, of one renderer's picture and of the forward
  * renderer's is apart by more than `bound`; where there are two, of the one that is worse. NAN:
  * they are black, or could not be read. */

@@ -58,14 +58,14 @@ static bool measure_ends(const Shadows *s)
 /* A map of a scene, row 0 at the bottom, from malloc; NULL: said. */
 static float *read_map(const Shadows *s, Scene *scene, const ShadowsMethod *method, int size)
 {
-    const RenderOptions options = {
+    const RendererOptions options = {
         .compile = &s->compile, .view = "shadow", .width = 16, .height = 16};
     float *depths = malloc((size_t)size * (size_t)size * sizeof *depths);
     shadows_use(scene, method, size);
-    Render *render = render_open(s->gl, &options);
-    const bool done = depths && render && render_scene(render, scene) && render_frame(render) &&
-                      render_read_map(render, 0, depths);
-    render_close(render);
+    Renderer *render = renderer_open(s->gl, &options);
+    const bool done = depths && render && renderer_set_scene(render, scene) &&
+                      renderer_frame(render) && renderer_read_map(render, 0, depths);
+    renderer_close(render);
     if (done)
         return depths;
     free(depths);

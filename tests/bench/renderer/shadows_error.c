@@ -1,7 +1,7 @@
 /* Two pictures of the same points, and what tests/frame_reference/boundary.h makes of them. */
 #include "shadows_error.h"
 #include "runtime/shadow/shadow_state.h"
-#include "runtime/frame/frame.h"
+#include "runtime/frame_graph/frame.h"
 #include "tests/frame_reference/boundary.h"
 #include <math.h>
 #include <stdio.h>
@@ -21,19 +21,19 @@ static const ShadowsMethod usual = {
 static float *draw(const ShadowsPicture *p, const char *view, const ShadowsMethod *method,
                    ShadowView *seen)
 {
-    const RenderOptions options = {.compile = p->target.compile,
-                                   .view = view,
-                                   .width = p->target.edge,
-                                   .height = p->target.edge,
-                                   .no_shadows = !method};
+    const RendererOptions options = {.compile = p->target.compile,
+                                     .view = view,
+                                     .width = p->target.edge,
+                                     .height = p->target.edge,
+                                     .no_shadows = !method};
     shadows_use(p->scene, method ? method : &usual, p->target.map_size);
-    Render *render = render_open(p->target.gl, &options);
+    Renderer *render = renderer_open(p->target.gl, &options);
     float *rgba = malloc(4 * sizeof *rgba * (size_t)p->target.edge * (size_t)p->target.edge);
-    const bool done = render && rgba && render_scene(render, p->scene) && render_frame(render) &&
-                      render_read(render, rgba);
+    const bool done = render && rgba && renderer_set_scene(render, p->scene) &&
+                      renderer_frame(render) && renderer_read(render, rgba);
     if (done && seen)
         *seen = render->shadows->views.views[0];
-    render_close(render);
+    renderer_close(render);
     if (done)
         return rgba;
     free(rgba);

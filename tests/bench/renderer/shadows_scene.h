@@ -2,7 +2,7 @@
  * methods of a light. */
 #ifndef SHADOWS_SCENE_H
 #define SHADOWS_SCENE_H
-#include "runtime/render/render.h"
+#include "runtime/renderer/renderer.h"
 
 /* Where ends of shadows are looked at. All is seen from between the casters and the receiver, along
  * the light but for SHADOWS_itself. */

@@ -14,7 +14,7 @@ enum { STEPS = 24 /* of half a degree around the vertical */, EDGE = 128 };
 /* A renderer with shadows and one without, and what they draw. */
 typedef struct {
     Scene *scene;
-    Render *renders[2];
+    Renderer *renders[2];
     float *pictures[2];
 } Walk;
 
@@ -22,14 +22,15 @@ static bool open_walk(const ShadowsTarget *target, Walk *walk)
 {
     bool fine = true;
     for (int i = 0; fine && i < 2; i++) {
-        const RenderOptions options = {.compile = target->compile,
-                                       .view = "light",
-                                       .width = target->edge,
-                                       .height = target->edge,
-                                       .no_shadows = i > 0};
-        walk->renders[i] = render_open(target->gl, &options);
+        const RendererOptions options = {.compile = target->compile,
+                                         .view = "light",
+                                         .width = target->edge,
+                                         .height = target->edge,
+                                         .no_shadows = i > 0};
+        walk->renders[i] = renderer_open(target->gl, &options);
         walk->pictures[i] = malloc(4 * sizeof(float) * (size_t)target->edge * (size_t)target->edge);
-        fine = walk->renders[i] && walk->pictures[i] && render_scene(walk->renders[i], walk->scene);
+        fine = walk->renders[i] && walk->pictures[i] &&
+               renderer_set_scene(walk->renders[i], walk->scene);
     }
     return fine;
 }
@@ -37,7 +38,7 @@ static bool open_walk(const ShadowsTarget *target, Walk *walk)
 static void close_walk(Walk *walk)
 {
     for (int i = 0; i < 2; i++) {
-        render_close(walk->renders[i]);
+        renderer_close(walk->renders[i]);
         free(walk->pictures[i]);
     }
 }
@@ -46,8 +47,9 @@ static bool draw(Walk *walk)
 {
     bool fine = true;
     for (int i = 0; fine && i < 2; i++)
-        fine = render_changed(walk->renders[i], RENDER_LIGHTS) && render_frame(walk->renders[i]) &&
-               render_read(walk->renders[i], walk->pictures[i]);
+        fine = renderer_changed(walk->renders[i], RENDERER_LIGHTS) &&
+               renderer_frame(walk->renders[i]) &&
+               renderer_read(walk->renders[i], walk->pictures[i]);
     return fine;
 }
 

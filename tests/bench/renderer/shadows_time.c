@@ -9,21 +9,21 @@ enum { MOST_ROUNDS = 64, FEWEST_ROUNDS = 3 };
 
 typedef struct {
     ShadowsPlace place;
-    Render *render;
+    Renderer *render;
 } Timed;
 
 static bool open_timed(const Shadows *s, const ShadowsTiming *timing, int method, Timed *timed)
 {
     const int usual[2] = {s->gl->hardware ? 1920 : 480, s->gl->hardware ? 1080 : 270};
     const int *size = timing->size[0] ? timing->size : usual;
-    const RenderOptions options = {
+    const RendererOptions options = {
         .compile = &s->compile, .view = "light", .width = size[0], .height = size[1]};
     if (!shadows_open(SHADOWS_frame, timing->mesh, &s->compile, &timed->place))
         return false;
     shadows_use(timed->place.scene, &timing->methods[method], timing->map_size);
-    timed->render = render_open(s->gl, &options);
-    return (timed->render && render_scene(timed->render, timed->place.scene) &&
-            render_frame(timed->render)) ||
+    timed->render = renderer_open(s->gl, &options);
+    return (timed->render && renderer_set_scene(timed->render, timed->place.scene) &&
+            renderer_frame(timed->render)) ||
            fprintf(stderr, "matbench: %s\n", s->gl->error) < 0;
 }
 
@@ -35,8 +35,8 @@ static double draw(const Shadows *s, Timed *timed, bool moving, int frames)
     for (int i = 0; i < frames; i++) {
         light->direction[0] += moving ? (i % 2 ? -1e-3 : 1e-3) : 0;
         if (moving)
-            render_changed(timed->render, RENDER_LIGHTS);
-        render_frame(timed->render);
+            renderer_changed(timed->render, RENDERER_LIGHTS);
+        renderer_frame(timed->render);
     }
     s->gl->Finish();
     return (bench_now() - start) / frames;
@@ -85,7 +85,7 @@ bool shadows_time(const Shadows *s, const ShadowsTiming *timing, ShadowsTime *ti
         times[i] = (ShadowsTime){NAN, NAN};
     const bool fine = !s->timed || measure(s, timing, timed, times);
     for (int i = 0; i < timing->count; i++) {
-        render_close(timed[i].render);
+        renderer_close(timed[i].render);
         shadows_close(&timed[i].place);
     }
     return fine;

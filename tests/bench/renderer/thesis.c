@@ -40,7 +40,7 @@ static bool move_objects(BenchScene *scene, int first, int frame)
     Scene *of = scene->scene;
     for (int i = first; i < of->object_count; i++)
         of->objects[i].world_from_local.m[12] += frame % 2 ? -.01 : .01;
-    return render_changed_objects(scene->render, first, of->object_count - first);
+    return renderer_changed_objects(scene->render, first, of->object_count - first);
 }
 
 static double draw_frame(const Thesis *t, BenchScene *scene, int first_moving, int frame)
@@ -48,7 +48,7 @@ static double draw_frame(const Thesis *t, BenchScene *scene, int first_moving, i
     const double start = bench_now();
     if (first_moving >= 0)
         move_objects(scene, first_moving, frame);
-    render_frame(scene->render);
+    renderer_frame(scene->render);
     t->bench.gl->Finish();
     return bench_now() - start;
 }
@@ -58,7 +58,7 @@ static double draw_frame(const Thesis *t, BenchScene *scene, int first_moving, i
 static bool time_scene(const Thesis *t, const Text *text, int first_moving, BenchScene *scene,
                        FrameTimes *times)
 {
-    const RenderOptions options = {.edges = RENDER_EDGES_none};
+    const RendererOptions options = {.edges = RENDERER_EDGES_none};
     double sum = 0;
     int count = 0;
     *times = (FrameTimes){NONE, NONE, NONE};
@@ -331,11 +331,11 @@ static bool measure_frame(const Thesis *t, int row, double seconds[STAGES])
     Arena arena = {0};
     Text text = text_new(&arena);
     BenchScene scene = {0};
-    RenderPassTime passes[RENDER_PASSES_MOST];
+    RendererPassTime passes[RENDERER_PASSES_MOST];
     bench_show(frames[row].name);
     write_frame(&text, row);
-    const bool fine =
-        bench_scene_open(&t->bench, &text, &(RenderOptions){.edges = RENDER_EDGES_none}, &scene);
+    const bool fine = bench_scene_open(&t->bench, &text,
+                                       &(RendererOptions){.edges = RENDERER_EDGES_none}, &scene);
     const int count = fine && t->bench.timed ? bench_scene_passes(&t->bench, &scene, passes) : 0;
     for (int i = 0; i < STAGES; i++)
         seconds[i] = NONE;

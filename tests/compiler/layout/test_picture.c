@@ -22,7 +22,7 @@ static void pictures_are_alike(void **state)
     assert_int_equal(matc_material_count(document), 1);
     for (int layout = 0; layout < LAYOUT_COUNT; layout++) {
         const MaterialPictureOptions options = {
-            .pictures = {.render = {.compile = &compile, .samples = 2}},
+            .pictures = {.renderer = {.compile = &compile, .samples = 2}},
             .preview = {.width = 96, .height = 96}};
         double sum = 0;
         int greatest = 0;
@@ -72,7 +72,7 @@ static void shapes_are_seen(void **state)
         fail_msg("%s", error);
     for (int shape = 0; shape < SHAPE_count; shape++) {
         const MaterialPictureOptions options = {
-            .pictures = {.render = {.compile = &compile}},
+            .pictures = {.renderer = {.compile = &compile}},
             .preview = {.shape = (ShapeKind)shape, .width = SIZE, .height = SIZE}};
         MaterialPictures *pictures = material_pictures_open(gl, &options);
         if (!pictures || !material_pictures_show(pictures, document, 0, &said) ||
@@ -106,7 +106,7 @@ static void pictures_do_not_mix(void **state)
     GlContext *gl = gl_open(GL_KIND_osmesa, true, error, sizeof error);
     assert_non_null(gl);
     const MaterialPictureOptions options = {
-        .pictures = {.render = {.compile = &compile}},
+        .pictures = {.renderer = {.compile = &compile}},
         .preview = {.shape = SHAPE_torus, .width = SIZE, .height = SIZE}};
     for (int i = -3; i < (int)(sizeof order / sizeof *order); i++) {
         static MaterialPictures *all;
@@ -148,7 +148,7 @@ static void faults_are_told(void **state)
             matc_read("test.yaml", cases[i].text, strlen(cases[i].text), &compile);
         compile.layout = cases[i].layout;
         GlContext *gl = gl_open(GL_KIND_osmesa, true, error, sizeof error);
-        const MaterialPictureOptions options = {.pictures = {.render = {.compile = &compile}},
+        const MaterialPictureOptions options = {.pictures = {.renderer = {.compile = &compile}},
                                                 .preview = {.width = 8, .height = 8},
                                                 .slot = cases[i].slot};
         MaterialPictures *pictures = gl ? material_pictures_open(gl, &options) : NULL;

@@ -102,7 +102,7 @@ static float *draw(const Rig *rig, const char *layout, const char *material)
              SIDE, SIDE, material);
     Scene *scene = frame_scene(text, &options, &document);
     float *rgba =
-        frame_floats(rig->gl, scene, &(RenderOptions){.compile = &options, .view = "light"});
+        frame_floats(rig->gl, scene, &(RendererOptions){.compile = &options, .view = "light"});
     frame_forget(scene, document);
     return rgba;
 }

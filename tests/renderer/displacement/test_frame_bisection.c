@@ -189,19 +189,19 @@ static void pictures_are_those_of_meshes(void **state)
                  "}]\nobjects:\n%s",
                  EDGE, EDGE, bisection_body_materials, how[k], bisection_bodies[2]);
         Scene *scene = frame_scene(text, &options, &document);
-        const RenderOptions draw = {.compile = &options, .view = "light"};
-        Render *render = render_open(with->gl, &draw);
+        const RendererOptions draw = {.compile = &options, .view = "light"};
+        Renderer *renderer = renderer_open(with->gl, &draw);
         light[k] = malloc(4 * PIXELS * sizeof *light[k]);
-        assert_true(render && render_scene(render, scene) && render_frame(render));
+        assert_true(renderer && renderer_set_scene(renderer, scene) && renderer_frame(renderer));
         if (k == 1) {
             const SceneCamera camera = scene->camera;
             bisection_body_look(&scene->camera, 3, 8, 1.5);
-            assert_true(render_changed(render, RENDER_CAMERA) && render_frame(render));
+            assert_true(renderer_changed(renderer, RENDERER_CAMERA) && renderer_frame(renderer));
             scene->camera = camera;
-            assert_true(render_changed(render, RENDER_CAMERA) && render_frame(render));
+            assert_true(renderer_changed(renderer, RENDERER_CAMERA) && renderer_frame(renderer));
         }
-        assert_true(render_read(render, light[k]));
-        render_close(render);
+        assert_true(renderer_read(renderer, light[k]));
+        renderer_close(renderer);
         frame_forget(scene, document);
     }
     const int off = differing(light[0], light[1]), coarse = differing(light[0], light[2]),
@@ -238,19 +238,20 @@ static void shadows_are_those_of_meshes(void **state)
                  "transform: { translation: [-10, -10, -4] } }\n",
                  EDGE, EDGE, bisection_body_materials, how[k], bisection_bodies[1]);
         Scene *scene = frame_scene(text, &options, &document);
-        Render *render =
-            render_open(with->gl, &(RenderOptions){.compile = &options, .view = "light"});
-        assert_true(render && render_scene(render, scene) && render_frame(render));
+        Renderer *renderer =
+            renderer_open(with->gl, &(RendererOptions){.compile = &options, .view = "light"});
+        assert_true(renderer && renderer_set_scene(renderer, scene) && renderer_frame(renderer));
         for (int near = 0; near < 2; near++) {
             if (near) {
                 scene->lights[0].position[0] = -4;
                 scene->lights[0].position[2] = 4;
-                assert_true(render_changed(render, RENDER_LIGHTS) && render_frame(render));
+                assert_true(renderer_changed(renderer, RENDERER_LIGHTS) &&
+                            renderer_frame(renderer));
             }
             light[3 * near + k] = malloc(4 * PIXELS * sizeof **light);
-            assert_true(render_read(render, light[3 * near + k]));
+            assert_true(renderer_read(renderer, light[3 * near + k]));
         }
-        render_close(render);
+        renderer_close(renderer);
         frame_forget(scene, document);
     }
     for (int near = 0; near < 2; near++) {
@@ -278,7 +279,7 @@ static void others_get_meshes(void **state)
     Scene *scene = bisection_body_scene("pixels: 1, triangles: 3000", bisection_bodies[2], &options,
                                         &document);
     with->gl->DispatchComputeIndirect = NULL;
-    free(frame_floats(with->gl, scene, &(RenderOptions){.compile = &options, .view = "light"}));
+    free(frame_floats(with->gl, scene, &(RendererOptions){.compile = &options, .view = "light"}));
     const SceneMesh *mesh = &scene->meshes[scene->objects[0].mesh];
     with->gl->DispatchComputeIndirect = had;
     assert_true(!mesh->patches && mesh->shape.index_count > 3 * 200 &&

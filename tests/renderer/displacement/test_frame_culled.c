@@ -4,7 +4,7 @@
 /* ctest: seconds=23 */
 #include "tests/frame/frame_compare.h"
 #include "tests/frame/frame_draw.h"
-#include "runtime/frame/frame.h"
+#include "runtime/frame_graph/frame.h"
 #include <limits.h>
 #include <stdio.h>
 #include <string.h>
@@ -38,14 +38,14 @@ static Scene *open_scene(const char *how, const char *lights, const MatcOptions 
 }
 
 /* How many triangles are drawn, and the picture. */
-static int draw(GlContext *gl, const Scene *scene, const RenderOptions *how,
+static int draw(GlContext *gl, const Scene *scene, const RendererOptions *how,
                 float light[4 * PIXELS])
 {
-    Render *render = render_open(gl, how);
-    assert_true(render && render_scene(render, scene) && render_frame(render) &&
-                render_read(render, light));
-    const int triangles = (int)render->gpu_scene.triangles;
-    render_close(render);
+    Renderer *renderer = renderer_open(gl, how);
+    assert_true(renderer && renderer_set_scene(renderer, scene) && renderer_frame(renderer) &&
+                renderer_read(renderer, light));
+    const int triangles = (int)renderer->gpu_scene.triangles;
+    renderer_close(renderer);
     return triangles;
 }
 
@@ -90,7 +90,7 @@ static void what_nobody_sees_has_no_triangles(void **state)
         for (int whole = 0; whole < 2; whole++)
             triangles[whole] =
                 draw(gl, scene,
-                     &(RenderOptions){.compile = &options, .view = "light", .unculled = whole},
+                     &(RendererOptions){.compile = &options, .view = "light", .unculled = whole},
                      light[whole]);
         print_message("%s, %s: %d of %d triangles\n", cases[i].how, cases[i].lights, triangles[0],
                       triangles[1]);
@@ -109,31 +109,31 @@ static void turn_under(const char *lights)
 {
     enum { TURNS = 12 };
     const MatcOptions options = frame_exact_options();
-    const RenderOptions how = {.compile = &options, .view = "light"};
+    const RendererOptions how = {.compile = &options, .view = "light"};
     static float light[2][4 * PIXELS];
     MatcDocument *document;
     GlContext *gl = frame_context();
     Scene *scene =
         open_scene("method: grid, pixels: 8, triangles: 40000", lights, &options, &document);
-    Render *render = render_open(gl, &how);
+    Renderer *renderer = renderer_open(gl, &how);
     const int all =
-        draw(gl, scene, &(RenderOptions){.compile = &options, .view = "light", .unculled = true},
+        draw(gl, scene, &(RendererOptions){.compile = &options, .view = "light", .unculled = true},
              light[0]);
     int anew = 0;
-    assert_true(render && render_scene(render, scene));
+    assert_true(renderer && renderer_set_scene(renderer, scene));
     for (int turn = 0; turn < TURNS; turn++) {
         const double angle = turn * (turn < TURNS / 2 ? 0.004 : 0.5);
         scene->camera.target[0] = scene->camera.position[0] + 3 * sin(angle);
         scene->camera.target[1] = scene->camera.position[1] + 3 * cos(angle);
         assert_true(scene_camera_aim(&scene->camera) == SCENE_AIM_fine &&
-                    render_changed(render, RENDER_CAMERA));
-        assert_true(render_frame(render) && render_read(render, light[0]));
+                    renderer_changed(renderer, RENDERER_CAMERA));
+        assert_true(renderer_frame(renderer) && renderer_read(renderer, light[0]));
         const int fresh = draw(gl, scene, &how, light[1]);
         assert_memory_equal(light[0], light[1], sizeof light[0]);
         assert_true(fresh < all);
-        anew += (int)render->gpu_scene.triangles == fresh;
+        anew += (int)renderer->gpu_scene.triangles == fresh;
     }
-    render_close(render);
+    renderer_close(renderer);
     frame_forget(scene, document);
     gl_close(gl);
     print_message("%d of %d turns have no triangle more than a new renderer\n", anew, TURNS);
@@ -153,29 +153,29 @@ static void what_a_light_shows_is_there(void **state)
     (void)state;
     enum { STEPS = 8 };
     const MatcOptions options = frame_exact_options();
-    const RenderOptions how = {.compile = &options, .view = "light"};
+    const RendererOptions how = {.compile = &options, .view = "light"};
     static float light[2][4 * PIXELS];
     MatcDocument *document;
     GlContext *gl = frame_context();
     Scene *scene =
         open_scene(GRID, "{ light: Point, position: [-9, -9, 1.2], intensity: 50, shadows: map }",
                    &options, &document);
-    Render *render = render_open(gl, &how);
+    Renderer *renderer = renderer_open(gl, &how);
     int anew = 0, least = INT_MAX, most = 0;
-    assert_true(render && render_scene(render, scene));
+    assert_true(renderer && renderer_set_scene(renderer, scene));
     for (int step = 0; step < STEPS; step++) {
         const double angle = step * 6.283 / STEPS;
         scene->lights[0].position[0] = 9 * cos(angle);
         scene->lights[0].position[1] = 9 * sin(angle);
-        assert_true(render_changed(render, RENDER_LIGHTS) && render_frame(render) &&
-                    render_read(render, light[0]));
+        assert_true(renderer_changed(renderer, RENDERER_LIGHTS) && renderer_frame(renderer) &&
+                    renderer_read(renderer, light[0]));
         const int fresh = draw(gl, scene, &how, light[1]);
         assert_memory_equal(light[0], light[1], sizeof light[0]);
-        anew += (int)render->gpu_scene.triangles == fresh;
+        anew += (int)renderer->gpu_scene.triangles == fresh;
         least = fresh < least ? fresh : least;
         most = fresh > most ? fresh : most;
     }
-    render_close(render);
+    renderer_close(renderer);
     frame_forget(scene, document);
     gl_close(gl);
     print_message("%d of %d lamps have no triangle more than a new renderer, which has %d to %d\n",
@@ -225,7 +225,7 @@ static void what_falls_on_a_plane_is_there(void **state)
         for (int whole = 0; whole < 2; whole++)
             triangles[whole] =
                 draw(gl, scene,
-                     &(RenderOptions){.compile = &options, .view = "light", .unculled = whole},
+                     &(RendererOptions){.compile = &options, .view = "light", .unculled = whole},
                      light[whole]);
         for (int k = 0; k < PIXELS; k++)
             dark += light[1][4 * k] == 0;

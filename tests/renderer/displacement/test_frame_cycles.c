@@ -42,7 +42,7 @@ typedef struct {
     const MatcOptions *options;
     MatcLayout *layout;
     GlContext *gl;
-    Render *depth, *normal;
+    Renderer *depth, *normal;
     ReferencePicture wanted[2];
 } World;
 
@@ -215,8 +215,9 @@ static int begin(void **state)
     options = frame_float_options(&world.layout);
     world.options = &options;
     world.gl = frame_context();
-    world.depth = render_open(world.gl, &(RenderOptions){.compile = &options, .view = "depth"});
-    world.normal = render_open(world.gl, &(RenderOptions){.compile = &options, .view = "normal"});
+    world.depth = renderer_open(world.gl, &(RendererOptions){.compile = &options, .view = "depth"});
+    world.normal =
+        renderer_open(world.gl, &(RendererOptions){.compile = &options, .view = "normal"});
     *state = &world;
     return !(world.depth && world.normal &&
              reference_picture_read("cycles/displaced_points", &world.wanted[0]) &&
@@ -226,8 +227,8 @@ static int begin(void **state)
 static int end(void **state)
 {
     World *world = *state;
-    render_close(world->depth);
-    render_close(world->normal);
+    renderer_close(world->depth);
+    renderer_close(world->normal);
     for (int k = 0; k < 2; k++)
         reference_picture_free(&world->wanted[k]);
     matc_layout_free(world->layout);

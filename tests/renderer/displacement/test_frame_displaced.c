@@ -60,9 +60,9 @@ static Scene *open_scene(const SceneText *of, const MatcOptions *options, MatcDo
 }
 
 /* An edge is drawn with coverage: so its triangles come back. */
-static RenderOptions with_triangles(const MatcOptions *options)
+static RendererOptions with_triangles(const MatcOptions *options)
 {
-    return (RenderOptions){.compile = options, .view = "light", .edges = RENDER_EDGES_coverage};
+    return (RendererOptions){.compile = options, .view = "light", .edges = RENDERER_EDGES_coverage};
 }
 
 static const Shape *shape_of(const Scene *scene)
@@ -95,7 +95,7 @@ static void points_are_those_of_the_reference(void **state)
     (void)state;
     static const double bounds[BODIES] = {1e-6, 1e-6, 5e-3, 1.2e-2};
     const MatcOptions options = frame_exact_options();
-    const RenderOptions draw = with_triangles(&options);
+    const RendererOptions draw = with_triangles(&options);
     GlContext *gl = frame_context();
     for (int body = 0; body < BODIES; body++) {
         char how[80];
@@ -168,7 +168,7 @@ static void no_hole_is_where_levels_meet(void **state)
     static const char *const how[METHODS] = {"method: grid, pixels: 1, triangles: 100000",
                                              "method: tessellation, pixels: 1, triangles: 30000"};
     const MatcOptions options = frame_exact_options();
-    const RenderOptions draw = with_triangles(&options);
+    const RendererOptions draw = with_triangles(&options);
     bool met[7][7] = {{false}};
     long within = 0;
     GlContext *gl = frame_context();
@@ -176,21 +176,21 @@ static void no_hole_is_where_levels_meet(void **state)
         MatcDocument *document;
         Scene *scene = open_scene(&(SceneText){how[i % METHODS], " []", bodies[i / METHODS]},
                                   &options, &document);
-        Render *render = render_open(gl, &draw);
+        Renderer *renderer = renderer_open(gl, &draw);
         float light[4 * PIXELS];
-        assert_true(render && render_scene(render, scene));
+        assert_true(renderer && renderer_set_scene(renderer, scene));
         for (int view = 0; view < VIEWS; view++) {
             look_from(scene, view, distances[view % 4]);
             scene->camera.half = view % 4 == 2 ? .115 : .36; /* a tangent */
-            assert_true(render_changed(render, RENDER_CAMERA) && render_frame(render) &&
-                        render_read(render, light));
+            assert_true(renderer_changed(renderer, RENDERER_CAMERA) && renderer_frame(renderer) &&
+                        renderer_read(renderer, light));
             const int found = holes(light, &within);
             if (found || shape_body(shape_of(scene)) == SHAPE_BODY_none)
                 fail_msg("%s, body %d, view %d: %d holes, or open edges", how[i % METHODS],
                          i / METHODS, view, found);
             mark_pairs(scene, met);
         }
-        render_close(render);
+        renderer_close(renderer);
         frame_forget(scene, document);
     }
     gl_close(gl);
@@ -214,7 +214,7 @@ static float *picture(GlContext *gl, const SceneText *of, const MatcOptions *opt
 {
     MatcDocument *document;
     Scene *scene = open_scene(of, options, &document);
-    float *light = frame_floats(gl, scene, &(RenderOptions){.compile = options, .view = "light"});
+    float *light = frame_floats(gl, scene, &(RendererOptions){.compile = options, .view = "light"});
     frame_forget(scene, document);
     return light;
 }
@@ -269,11 +269,11 @@ static void pictures_are_those_of_meshes(void **state)
     gl_close(gl);
 }
 
-static void assert_same(Render *render, GlContext *gl, const Scene *scene,
-                        const RenderOptions *draw)
+static void assert_same(Renderer *renderer, GlContext *gl, const Scene *scene,
+                        const RendererOptions *draw)
 {
     float light[4 * PIXELS];
-    assert_true(render_frame(render) && render_read(render, light));
+    assert_true(renderer_frame(renderer) && renderer_read(renderer, light));
     float *fresh = frame_floats(gl, scene, draw);
     assert_memory_equal(light, fresh, sizeof light);
     free(fresh);
@@ -287,7 +287,7 @@ static void changes_are_what_a_new_renderer_draws(void **state)
         "- { light: Directional, direction: [1, 0.6, -1] }",
         "- { light: Directional, direction: [1, 0.6, -1], shadows: exact }"};
     const MatcOptions options = frame_exact_options();
-    const RenderOptions draw = {.compile = &options, .view = "light"};
+    const RendererOptions draw = {.compile = &options, .view = "light"};
     GlContext *gl = frame_context();
     for (int i = 0; i < 4; i++) {
         char how[80];
@@ -296,18 +296,18 @@ static void changes_are_what_a_new_renderer_draws(void **state)
         snprintf(how, sizeof how, "method: %s, pixels: 3", methods[i % 2]);
         Scene *scene =
             open_scene(&(SceneText){how, shadows[i / 2], bodies[0]}, &options, &document);
-        Render *render = render_open(gl, &draw);
-        assert_true(render && render_scene(render, scene));
+        Renderer *renderer = renderer_open(gl, &draw);
+        assert_true(renderer && renderer_set_scene(renderer, scene));
         for (int view = 0; view < 3; view++) {
             look_from(scene, view, view ? 2 : 6);
-            assert_true(render_changed(render, RENDER_CAMERA));
-            assert_same(render, gl, scene, &draw);
+            assert_true(renderer_changed(renderer, RENDERER_CAMERA));
+            assert_same(renderer, gl, scene, &draw);
         }
         assert_true(scene_displace_param(scene, scene->objects[0].material, "height", &height, 1) ==
                     SCENE_DISPLACED_anew);
-        assert_true(render_changed_meshes(render));
-        assert_same(render, gl, scene, &draw);
-        render_close(render);
+        assert_true(renderer_changed_meshes(renderer));
+        assert_same(renderer, gl, scene, &draw);
+        renderer_close(renderer);
         frame_forget(scene, document);
     }
     gl_close(gl);

@@ -72,7 +72,7 @@ static void nothing_shows_through_what_is_closed(void **state)
                  bodies[view / VIEWS]);
         Scene *scene = frame_scene(text, &options, &document);
         float *light =
-            frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "light"});
+            frame_floats(gl, scene, &(RendererOptions){.compile = &options, .view = "light"});
         Tracer tracer = reference_open(scene);
         for (int i = 0; i < PIXELS; i++) {
             const int is = covered(&tracer, i % WIDTH, i / WIDTH), shown = light[4 * i] > 0.1f;
@@ -123,7 +123,8 @@ static void light_is_that_of_the_oracle(void **state)
                  WIDTH, HEIGHT, methods[body % 2], bodies[body]);
         Scene *scene = frame_scene(text, &options, &document);
         float *light = frame_floats(
-            gl, scene, &(RenderOptions){.compile = &options, .view = "light", .no_shadows = true});
+            gl, scene,
+            &(RendererOptions){.compile = &options, .view = "light", .no_shadows = true});
         Tracer tracer = reference_open(scene);
         spread.count = spread.lit = 0;
         for (int i = 0; i < PIXELS; i++) {
@@ -262,7 +263,7 @@ static void normals_are_those_of_curved_surfaces(void **state)
             scenes[k] = frame_scene(text, &options, &documents[k]);
         }
         float *normals =
-            frame_floats(gl, scenes[0], &(RenderOptions){.compile = &options, .view = "normal"});
+            frame_floats(gl, scenes[0], &(RendererOptions){.compile = &options, .view = "normal"});
         const int count = judge_slopes(scenes[1], &risen, normals, off);
         print_message(
             "%-6s %d pixels within %.3g degrees in the mean square; if normals stayed, %.3g\n",
@@ -300,9 +301,10 @@ static void shadows_are_those_of_the_displaced_shape(void **state)
                  WIDTH, HEIGHT, methods[m % 2], shadows[m], bodies[0]);
         Scene *scene = frame_scene(text, &options, &document);
         float *with =
-            frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "light"});
+            frame_floats(gl, scene, &(RendererOptions){.compile = &options, .view = "light"});
         float *without = frame_floats(
-            gl, scene, &(RenderOptions){.compile = &options, .view = "light", .no_shadows = true});
+            gl, scene,
+            &(RendererOptions){.compile = &options, .view = "light", .no_shadows = true});
         Tracer tracer = reference_open(scene);
         for (int i = 0; i < PIXELS; i++) {
             const Ray ray = reference_ray(scene, i % WIDTH + .5, i / WIDTH + .5);

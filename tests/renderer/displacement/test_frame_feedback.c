@@ -5,7 +5,7 @@
 #include "tests/frame/frame_compare.h"
 #include "tests/frame/displaced_bodies.h"
 #include "tests/frame/frame_draw.h"
-#include "runtime/frame/frame.h"
+#include "runtime/frame_graph/frame.h"
 #include "runtime/scene/scene_patches.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -166,13 +166,14 @@ static void skirts_hide_gaps(void **state)
     gl_close(gl);
 }
 
-static int triangles_from(Render *render, Scene *scene, const double eye[3], const double target[3])
+static int triangles_from(Renderer *renderer, Scene *scene, const double eye[3],
+                          const double target[3])
 {
     memcpy(scene->camera.position, eye, sizeof scene->camera.position);
     memcpy(scene->camera.target, target, sizeof scene->camera.target);
     assert_true(scene_camera_aim(&scene->camera) == SCENE_AIM_fine &&
-                render_changed(render, RENDER_CAMERA) && render_frame(render));
-    return (int)render->gpu_scene.triangles;
+                renderer_changed(renderer, RENDERER_CAMERA) && renderer_frame(renderer));
+    return (int)renderer->gpu_scene.triangles;
 }
 
 /* Wherever a camera looks from one place, there are as many; from another place there are as many
@@ -188,19 +189,21 @@ static void a_turn_leaves_triangles_alone(void **state)
     Scene *scene =
         displaced_body(3, "method: feedback, near: 0.5, detail: 450.31, steps: 6, skirts: none",
                        &options, &document);
-    Render *render = render_open(gl, &(RenderOptions){.compile = &options, .view = "light"});
+    Renderer *renderer =
+        renderer_open(gl, &(RendererOptions){.compile = &options, .view = "light"});
     long wanted[2];
-    assert_true(render && render_scene(render, scene));
+    assert_true(renderer && renderer_set_scene(renderer, scene));
     for (int i = 0; i < 6; i++) {
         Criterion c = {.near = .5, .detail = 450.31, .steps = 6, .skirts = SKIRTS_none};
         memcpy(c.eye, eyes[i / 3], sizeof c.eye);
         wanted[i / 3] = divided_square(&c);
-        assert_int_equal(triangles_from(render, scene, eyes[i / 3], targets[i % 3]), wanted[i / 3]);
+        assert_int_equal(triangles_from(renderer, scene, eyes[i / 3], targets[i % 3]),
+                         wanted[i / 3]);
     }
     print_message("%ld triangles, and %ld from nearer, however the camera is turned\n", wanted[0],
                   wanted[1]);
     assert_true(wanted[0] < wanted[1]);
-    render_close(render);
+    renderer_close(renderer);
     frame_forget(scene, document);
     gl_close(gl);
 }

@@ -159,9 +159,9 @@ static void volumes_have_points_for_each_height(void **state)
     Scene *scene = frame_scene(text, &options, &document);
     double worst = 0, turned = 0;
     int of_height[4] = {0};
-    free(frame_floats(
-        gl, scene,
-        &(RenderOptions){.compile = &options, .view = "light", .edges = RENDER_EDGES_coverage}));
+    free(frame_floats(gl, scene,
+                      &(RendererOptions){
+                          .compile = &options, .view = "light", .edges = RENDERER_EDGES_coverage}));
     const Shape *shape = shape_of(scene);
     for (int first = 0; first + 6 <= shape->index_count; first += 6) {
         const ShapeVertex *v = &shape->vertices[shape->indices[first]],

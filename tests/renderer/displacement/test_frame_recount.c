@@ -27,25 +27,27 @@ static const char far_away[] =
 
 typedef enum { MOVE_objects, MOVE_camera } Move;
 
-static bool move(Render *render, Scene *scene, Move what)
+static bool move(Renderer *renderer, Scene *scene, Move what)
 {
     if (what == MOVE_camera) {
         scene->camera.position[1] = -3;
-        return render_changed(render, RENDER_CAMERA);
+        return renderer_changed(renderer, RENDERER_CAMERA);
     }
     for (int i = 0; i < 2; i++)
         scene->objects[i].world_from_local.m[13] -= 37;
-    return render_changed_objects(render, 0, 2);
+    return renderer_changed_objects(renderer, 0, 2);
 }
 
 /* The picture after a move, from malloc; before it, one was drawn. */
-static float *draw_moved(GlContext *gl, Scene *scene, const RenderOptions *options, Move what)
+static float *draw_moved(GlContext *gl, Scene *scene, const RendererOptions *options, Move what)
 {
     float *rgba = calloc((size_t)WIDTH * HEIGHT, 4 * sizeof *rgba);
-    Render *render = render_open(gl, options);
-    assert_true(rgba && render && render_scene(render, scene) && render_frame(render));
-    assert_true(move(render, scene, what) && render_frame(render) && render_read(render, rgba));
-    render_close(render);
+    Renderer *renderer = renderer_open(gl, options);
+    assert_true(rgba && renderer && renderer_set_scene(renderer, scene) &&
+                renderer_frame(renderer));
+    assert_true(move(renderer, scene, what) && renderer_frame(renderer) &&
+                renderer_read(renderer, rgba));
+    renderer_close(renderer);
     return rgba;
 }
 
@@ -54,15 +56,15 @@ static float *draw_moved(GlContext *gl, Scene *scene, const RenderOptions *optio
 static void more_are_counted(void **state)
 {
     (void)state;
-    static const RenderOptions ways[] = {{.transparency = "lists"},
-                                         {.transparency = "peeling"},
-                                         {.transparency = NULL, .list_bytes = ROOM}};
+    static const RendererOptions ways[] = {{.transparency = "lists"},
+                                           {.transparency = "peeling"},
+                                           {.transparency = NULL, .list_bytes = ROOM}};
     const MatcOptions compile = frame_exact_options();
     for (int i = 0; i < 6; i++) {
         MatcDocument *document;
         Scene *scene = frame_scene(far_away, &compile, &document);
         GlContext *gl = frame_context();
-        RenderOptions options = ways[i / 2];
+        RendererOptions options = ways[i / 2];
         options.compile = &compile;
         options.view = "light";
         float *moved = draw_moved(gl, scene, &options, (Move)(i % 2));
@@ -78,9 +80,9 @@ static void more_are_counted(void **state)
 }
 
 /* Whether a pass runs, by the graph. */
-static bool runs(const Render *render, const char *line)
+static bool runs(const Renderer *renderer, const char *line)
 {
-    char *graph = frame_graph(render);
+    char *graph = frame_graph(renderer);
     const bool found = strstr(graph, line) != NULL;
     free(graph);
     return found;
@@ -95,18 +97,18 @@ static void lists_that_are_too_long(void **state)
         MatcDocument *document;
         Scene *scene = frame_scene(far_away, &compile, &document);
         GlContext *gl = frame_context();
-        const RenderOptions options = {
+        const RendererOptions options = {
             .compile = &compile, .list_bytes = ROOM, .transparency = insists ? "lists" : NULL};
-        Render *render = render_open(gl, &options);
-        assert_true(render && render_scene(render, scene) && render_frame(render));
-        assert_false(runs(render, "lists depth lists not run"));
-        assert_true(move(render, scene, MOVE_objects));
-        assert_int_equal(render_frame(render), !insists);
+        Renderer *renderer = renderer_open(gl, &options);
+        assert_true(renderer && renderer_set_scene(renderer, scene) && renderer_frame(renderer));
+        assert_false(runs(renderer, "lists depth lists not run"));
+        assert_true(move(renderer, scene, MOVE_objects));
+        assert_int_equal(renderer_frame(renderer), !insists);
         if (insists)
             assert_non_null(strstr(gl->error, "transparent fragments take"));
         else
-            assert_true(runs(render, "lists depth lists not run: nothing to do"));
-        render_close(render);
+            assert_true(runs(renderer, "lists depth lists not run: nothing to do"));
+        renderer_close(renderer);
         gl_close(gl);
         frame_forget(scene, document);
     }
@@ -133,21 +135,22 @@ static void shadows_that_are_too_long(void **state)
     MatcDocument *document;
     Scene *scene = frame_scene(pane, &compile, &document);
     GlContext *gl = frame_context();
-    const RenderOptions options = {.compile = &compile,
-                                   .view = "light",
-                                   .transparency = "peeling",
-                                   .list_bytes = 32 + 4 * 256 + 16 * 10};
+    const RendererOptions options = {.compile = &compile,
+                                     .view = "light",
+                                     .transparency = "peeling",
+                                     .list_bytes = 32 + 4 * 256 + 16 * 10};
     float *moved = calloc((size_t)WIDTH * HEIGHT, 4 * sizeof *moved);
-    Render *render = render_open(gl, &options);
-    assert_true(render && render_scene(render, scene) && render_frame(render));
-    assert_false(runs(render, "parts"));
+    Renderer *renderer = renderer_open(gl, &options);
+    assert_true(renderer && renderer_set_scene(renderer, scene) && renderer_frame(renderer));
+    assert_false(runs(renderer, "parts"));
     static const double flat[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -1, -1, 1, 1};
     memcpy(scene->objects[0].world_from_local.m, flat, sizeof flat);
-    assert_true(render_changed_objects(render, 0, 1) && render_frame(render) &&
-                render_read(render, moved));
-    assert_true(runs(render, "parts, drawn again"));
-    assert_true(render_frame(render)); /* and once more */
-    float *whole = frame_floats(gl, scene, &(RenderOptions){.compile = &compile, .view = "light"});
+    assert_true(renderer_changed_objects(renderer, 0, 1) && renderer_frame(renderer) &&
+                renderer_read(renderer, moved));
+    assert_true(runs(renderer, "parts, drawn again"));
+    assert_true(renderer_frame(renderer)); /* and once more */
+    float *whole =
+        frame_floats(gl, scene, &(RendererOptions){.compile = &compile, .view = "light"});
     double most = 0, shade = 0;
     for (int i = 0; i < 4 * WIDTH * HEIGHT; i++) {
         most = fmax(most, fabs(moved[i] - whole[i]));
@@ -156,7 +159,7 @@ static void shadows_that_are_too_long(void **state)
     assert_true(most < 1e-6 && shade > .3);
     free(moved);
     free(whole);
-    render_close(render);
+    renderer_close(renderer);
     gl_close(gl);
     frame_forget(scene, document);
     matc_layout_free(layout);
@@ -180,7 +183,7 @@ static void params_are_counted(void **state)
         "{ param: clear, default: %s } }, transform: { translation: [-.5, -.5, 1] } }\n";
     static float changed[4 * WIDTH * HEIGHT];
     const MatcOptions compile = frame_exact_options();
-    const RenderOptions options = {.compile = &compile, .view = "light"};
+    const RendererOptions options = {.compile = &compile, .view = "light"};
     GlContext *gl = frame_context();
     char text[sizeof pane + 4];
     MatcDocument *documents[2];
@@ -189,18 +192,18 @@ static void params_are_counted(void **state)
         snprintf(text, sizeof text, pane, i ? ".25" : "1");
         scenes[i] = frame_scene(text, &compile, &documents[i]);
     }
-    Render *render = render_open(gl, &options);
-    assert_true(render && render_scene(render, scenes[0]) && render_frame(render));
+    Renderer *renderer = renderer_open(gl, &options);
+    assert_true(renderer && renderer_set_scene(renderer, scenes[0]) && renderer_frame(renderer));
     const int glass = scenes[0]->objects[1].material;
-    assert_true(render_param(render, glass, "clear", &(float){.25f}, 1));
-    assert_true(render_frame(render) && render_read(render, changed));
+    assert_true(renderer_param(renderer, glass, "clear", &(float){.25f}, 1));
+    assert_true(renderer_frame(renderer) && renderer_read(renderer, changed));
     float *new = frame_floats(gl, scenes[1], &options),
           *before = frame_floats(gl, scenes[0], &options);
     assert_memory_equal(changed, new, sizeof changed);
     assert_memory_not_equal(changed, before, sizeof changed);
     free(new);
     free(before);
-    render_close(render);
+    renderer_close(renderer);
     gl_close(gl);
     for (int i = 0; i < 2; i++)
         frame_forget(scenes[i], documents[i]);

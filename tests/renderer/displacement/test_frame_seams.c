@@ -29,7 +29,7 @@ static float *draw(const char *text, const char *slot, const char *aa)
     options.aa = aa;
     GlContext *gl = frame_context_of(kind);
     Scene *scene = frame_scene(text, &options, &document);
-    float *rgba = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = slot});
+    float *rgba = frame_floats(gl, scene, &(RendererOptions){.compile = &options, .view = slot});
     frame_forget(scene, document);
     gl_close(gl);
     return rgba;

@@ -52,20 +52,20 @@ static Scene *open_scene(const SceneText *of, const MatcOptions *options, MatcDo
     return frame_scene(text, options, document);
 }
 
-static Render *renderer(GlContext *gl, const MatcOptions *options, const char *view)
+static Renderer *open_traced(GlContext *gl, const MatcOptions *options, const char *view)
 {
-    Render *render = render_open(gl, &(RenderOptions){.compile = options, .view = view});
-    assert_non_null(render);
-    return render;
+    Renderer *renderer = renderer_open(gl, &(RendererOptions){.compile = options, .view = view});
+    assert_non_null(renderer);
+    return renderer;
 }
 
 /* By a renderer that has drawn others of that view: programs are there once. */
-static float *picture(GlContext *gl, Render *render, const SceneText *of)
+static float *picture(GlContext *gl, Renderer *renderer, const SceneText *of)
 {
     const MatcOptions options = frame_exact_options();
     MatcDocument *document;
     Scene *scene = open_scene(of, &options, &document);
-    float *made = frame_floats_by(gl, render, scene);
+    float *made = frame_floats_by(gl, renderer, scene);
     frame_forget(scene, document);
     return made;
 }
@@ -146,12 +146,12 @@ static void a_wave_is_that_of_its_closed_form(void **state)
         "camera: Perspective, position: [0.4, -2.6, 0.8], target: [0, 0, 0], angle: 45";
     const MatcOptions options = frame_exact_options();
     GlContext *gl = frame_context();
-    Render *render = renderer(gl, &options, "depth");
+    Renderer *renderer = open_traced(gl, &options, "depth");
     for (int i = 0; i < 3; i++) {
         const SceneText text = {how[i], camera, "", square, NULL};
         MatcDocument *document;
         Scene *scene = open_scene(&text, &options, &document);
-        float *depth = frame_floats_by(gl, render, scene);
+        float *depth = frame_floats_by(gl, renderer, scene);
         for (int k = 0; k < PIXELS; k++) {
             if (i == 0)
                 truths[k] = find_truth(scene, k);
@@ -164,7 +164,7 @@ static void a_wave_is_that_of_its_closed_form(void **state)
                       how[i], judged[i].count, quantile(&judged[i], .5), quantile(&judged[i], .99),
                       judged[i].disagree);
     }
-    render_close(render);
+    renderer_close(renderer);
     gl_close(gl);
     assert_true(judged[0].count > PIXELS / 5);
     assert_true(quantile(&judged[0], .5) < 1e-6 && quantile(&judged[0], .99) < 1e-5 &&
@@ -214,7 +214,8 @@ static void bodies_are_those_of_fine_meshes(void **state)
     const char camera[] = "camera: Perspective, position: [1, -3, 2], angle: 40";
     const MatcOptions options = frame_exact_options();
     GlContext *gl = frame_context();
-    Render *depth = renderer(gl, &options, "depth"), *normals_of = renderer(gl, &options, "normal");
+    Renderer *depth = open_traced(gl, &options, "depth"),
+             *normals_of = open_traced(gl, &options, "normal");
     for (int i = 0; i < 2; i++) {
         static Judged traced, grid, normals;
         const SceneText fine = {bodies[i].fine, camera, "", bodies[i].body, NULL},
@@ -246,7 +247,7 @@ static void bodies_are_those_of_fine_meshes(void **state)
         assert_true(8 * quantile(&traced, .5) < quantile(&grid, .5));
         assert_true(quantile(&normals, .5) < 2e-3);
     }
-    render_close(depth), render_close(normals_of), gl_close(gl);
+    renderer_close(depth), renderer_close(normals_of), gl_close(gl);
 }
 
 /* Further options of scenes: vectors, corners that are pushed out, parallel rays, instances that
@@ -285,7 +286,7 @@ static void all_ways_are_traced(void **state)
     (void)state;
     const MatcOptions options = frame_exact_options();
     GlContext *gl = frame_context();
-    Render *render = renderer(gl, &options, "depth");
+    Renderer *renderer = open_traced(gl, &options, "depth");
     for (size_t i = 0; i < sizeof ways / sizeof *ways; i++) {
         static const char *const methods[] = {"grid", "grid", "traced"};
         static Judged traced, grid;
@@ -295,7 +296,7 @@ static void all_ways_are_traced(void **state)
             snprintf(how, sizeof how, "method: %s, %s", methods[k],
                      k ? ways[i].coarse : ways[i].fine);
             depths[k] =
-                picture(gl, render, &(SceneText){how, ways[i].camera, "", ways[i].objects, NULL});
+                picture(gl, renderer, &(SceneText){how, ways[i].camera, "", ways[i].objects, NULL});
         }
         judge_depths(depths[1], depths[0], &grid);
         judge_depths(depths[2], depths[0], &traced);
@@ -307,7 +308,7 @@ static void all_ways_are_traced(void **state)
         assert_true(traced.count > 400 && traced.disagree <= 20);
         assert_true(4 * quantile(&traced, .5) < quantile(&grid, .5));
     }
-    render_close(render);
+    renderer_close(renderer);
     gl_close(gl);
 }
 
@@ -321,11 +322,11 @@ static void tiles_are_traced(void **state)
     GlContext *gl = frame_context();
     MatcDocument *document;
     Scene *scene = open_scene(&text, &options, &document);
-    RenderOptions render = {.compile = &options, .view = "depth"};
-    float *whole = frame_floats(gl, scene, &render);
-    render.tile[0] = 34;
-    render.tile[1] = 22;
-    float *parts = frame_tiles(gl, scene, &render);
+    RendererOptions renderer = {.compile = &options, .view = "depth"};
+    float *whole = frame_floats(gl, scene, &renderer);
+    renderer.tile[0] = 34;
+    renderer.tile[1] = 22;
+    float *parts = frame_tiles(gl, scene, &renderer);
     static Judged judged;
     judge_depths(parts, whole, &judged);
     assert_true(judged.count > 500 && judged.disagree <= PIXELS / 400 &&
@@ -358,13 +359,13 @@ static void shadow_maps_see_what_is_traced(void **state)
     const char camera[] = "camera: Perspective, position: [1, -3, 2], angle: 60";
     const MatcOptions options = frame_exact_options();
     GlContext *gl = frame_context();
-    Render *render = renderer(gl, &options, "light");
+    Renderer *renderer = open_traced(gl, &options, "light");
     for (int i = 0; i < 3; i++) {
         static const char *const how[] = {"method: mesh, level: 16", "method: traced, level: 4",
                                           "method: grid, level: 4"};
         float *light[3];
         for (int k = 0; k < 3; k++)
-            light[k] = picture(gl, render, &(SceneText){how[k], camera, lights[i], ball, ground});
+            light[k] = picture(gl, renderer, &(SceneText){how[k], camera, lights[i], ball, ground});
         const int traced = differing(light[0], light[1]), grid = differing(light[0], light[2]);
         print_message("%s: %d of %d pixels differ; of a grid %d\n", lights[i], traced, PIXELS,
                       grid);
@@ -372,7 +373,7 @@ static void shadow_maps_see_what_is_traced(void **state)
         for (int k = 0; k < 3; k++)
             free(light[k]);
     }
-    render_close(render);
+    renderer_close(renderer);
     gl_close(gl);
 }
 
@@ -383,7 +384,7 @@ static void says(GlContext *gl, const SceneText *of, const char *line, bool want
     MatcDocument *document;
     Scene *scene = open_scene(of, &options, &document);
     char *graph =
-        frame_graph_or_fault(gl, scene, &(RenderOptions){.compile = &options, .view = "light"});
+        frame_graph_or_fault(gl, scene, &(RendererOptions){.compile = &options, .view = "light"});
     const char *at = strstr(graph, wanted ? line : "\ntraced the");
     if ((at != NULL) != wanted)
         fail_msg("'%s' in %s", line, graph);
@@ -400,10 +401,10 @@ static void exact_shadows_have_the_grid(void **state)
                exact[] = "{ light: Directional, direction: [1, 0.6, -1], shadows: exact }";
     const MatcOptions options = frame_exact_options();
     GlContext *gl = frame_context();
-    Render *render = renderer(gl, &options, "light");
+    Renderer *renderer = open_traced(gl, &options, "light");
     float *light[2];
     for (int k = 0; k < 2; k++)
-        light[k] = picture(gl, render, &(SceneText){how[k], camera, exact, ball, ground});
+        light[k] = picture(gl, renderer, &(SceneText){how[k], camera, exact, ball, ground});
     assert_memory_equal(light[0], light[1], 4 * PIXELS * sizeof(float));
     says(gl, &(SceneText){how[0], camera, exact, ball, ground}, "", false);
     says(gl, &(SceneText){how[1], camera, exact, ball, ground},
@@ -415,7 +416,7 @@ static void exact_shadows_have_the_grid(void **state)
          true);
     free(light[0]);
     free(light[1]);
-    render_close(render);
+    renderer_close(renderer);
     gl_close(gl);
 }
 

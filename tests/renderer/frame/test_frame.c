@@ -138,7 +138,7 @@ static void compare_all(const MatcOptions *options, double median)
         MatcDocument *document;
         Scene *scene = frame_scene(pictures[i].text, options, &document);
         float *rgba = frame_floats(
-            gl, scene, &(RenderOptions){.compile = options, .view = "light", .no_shadows = true});
+            gl, scene, &(RendererOptions){.compile = options, .view = "light", .no_shadows = true});
         compare(scene, options, rgba, &spread);
         faults += !is_close(pictures[i].name, median, &spread);
         free(rgba);
@@ -177,11 +177,11 @@ static void every_way(void **state)
     const size_t lanes = (size_t)scene->width * (size_t)scene->height * 4;
     GlContext *gl = frame_context();
     float *compute =
-        frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "light"});
+        frame_floats(gl, scene, &(RendererOptions){.compile = &options, .view = "light"});
     float *fragment = frame_floats(
-        gl, scene, &(RenderOptions){.compile = &options, .view = "light", .fragment = true});
+        gl, scene, &(RendererOptions){.compile = &options, .view = "light", .fragment = true});
     gl->ClipControl = NULL;
-    float *old = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "light"});
+    float *old = frame_floats(gl, scene, &(RendererOptions){.compile = &options, .view = "light"});
     size_t apart = 0;
     for (size_t i = 0; i < lanes; i++) {
         assert_true(fabsf(compute[i] - fragment[i]) <= 1e-6f * fabsf(compute[i]) + 1e-7f);
@@ -216,7 +216,7 @@ static void planes_are_deep(void **state)
         if (old)
             gl->ClipControl = NULL;
         float *rgba =
-            frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "depth"});
+            frame_floats(gl, scene, &(RendererOptions){.compile = &options, .view = "depth"});
         for (int i = 0; i < SIZE * SIZE; i++) {
             const double down =
                 /* of the ray whose length along the view is 1 */
@@ -258,7 +258,7 @@ static void planes_are_lit(void **state)
                      cameras[k % 2], shadows ? "true" : "false");
             Scene *scene = frame_scene(text, &options, &document);
             lit[shadows] =
-                frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "light"});
+                frame_floats(gl, scene, &(RendererOptions){.compile = &options, .view = "light"});
             frame_forget(scene, document);
         }
         for (int i = 0; i < 4 * 64 * 64; i++) {
@@ -300,7 +300,7 @@ static void tones(void **state)
                  "toneMapping: { toneMapping: %s }\n",
                  cases[i].mapping);
         Scene *scene = frame_scene(text, &options, &document);
-        float *rgba = frame_floats(gl, scene, &(RenderOptions){.compile = &options});
+        float *rgba = frame_floats(gl, scene, &(RendererOptions){.compile = &options});
         if (!(fabs(rgba[4 * 36] - cases[i].shown) < .0025))
             fail_msg("%s: %g", cases[i].mapping, rgba[4 * 36]);
         free(rgba);
@@ -325,12 +325,12 @@ static void faults(void **state)
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         MatcDocument *document;
         Scene *scene = frame_scene(cases[i].text, &options, &document);
-        Render *render = render_open(gl, &(RenderOptions){.compile = &options});
-        const bool done = render_scene(render, scene) && render_frame(render);
+        Renderer *renderer = renderer_open(gl, &(RendererOptions){.compile = &options});
+        const bool done = renderer_set_scene(renderer, scene) && renderer_frame(renderer);
         assert_int_equal(done, cases[i].said == NULL);
         if (cases[i].said)
             assert_string_equal(gl->error, cases[i].said);
-        render_close(render);
+        renderer_close(renderer);
         assert_true(gl_check(gl, "all of it"));
         frame_forget(scene, document);
     }

@@ -99,32 +99,32 @@ static const char busy[] = CAMERA POINT
     "sky: { material: RGBA, b: .5 }\n";
 
 /* A frame of it, in so many draws, without another call. */
-static void draw_again(Render *render, int expected)
+static void draw_again(Renderer *renderer, int expected)
 {
     calls = draws = 0;
-    assert_true(render_frame(render));
+    assert_true(renderer_frame(renderer));
     assert_int_equal(calls, 0);
     assert_int_equal(draws, expected);
 }
 
 /* Frames but the first, of a scene drawn with such options, take so many draws each, 0: the
  * second's; and nothing else. */
-static void expect_draws_only(const Scene *scene, RenderOptions options, int expected)
+static void expect_draws_only(const Scene *scene, RendererOptions options, int expected)
 {
     GlContext *gl = frame_context();
     count_calls(gl);
-    Render *render = render_open(gl, &options);
-    assert_non_null(render);
-    assert_true(render_scene(render, scene));
-    assert_true(render_frame(render));
+    Renderer *renderer = renderer_open(gl, &options);
+    assert_non_null(renderer);
+    assert_true(renderer_set_scene(renderer, scene));
+    assert_true(renderer_frame(renderer));
     assert_true(calls > 0);
     calls = draws = 0;
-    assert_true(render_frame(render));
+    assert_true(renderer_frame(renderer));
     assert_int_equal(calls, 0);
-    draw_again(render, expected ? expected : draws);
-    draw_again(render, expected ? expected : draws);
+    draw_again(renderer, expected ? expected : draws);
+    draw_again(renderer, expected ? expected : draws);
     assert_true(gl_check(gl, "four frames"));
-    render_close(render);
+    renderer_close(renderer);
     gl_close(gl);
 }
 
@@ -148,9 +148,9 @@ static void a_second_frame_only_draws(void **state)
     Scene *scene = frame_scene(busy, &options, &document);
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
         expect_draws_only(scene,
-                          (RenderOptions){.compile = &options,
-                                          .transparency = cases[i].transparency,
-                                          .lights = cases[i].lights},
+                          (RendererOptions){.compile = &options,
+                                            .transparency = cases[i].transparency,
+                                            .lights = cases[i].lights},
                           cases[i].draws);
     frame_forget(scene, document);
 }
@@ -168,8 +168,8 @@ static void tones_and_edges_only_draw(void **state)
         Scene *scene = frame_scene(text, &options, &document);
         expect_draws_only(
             scene,
-            (RenderOptions){
-                .compile = &options, .width = 96, .height = 64, .edges = RENDER_EDGES_coverage},
+            (RendererOptions){
+                .compile = &options, .width = 96, .height = 64, .edges = RENDERER_EDGES_coverage},
             0);
         frame_forget(scene, document);
     }
@@ -196,20 +196,21 @@ static void programs_are_shared(void **state)
                     "[1, 0, 0] } }\n",
                     &options, &document);
     GlContext *gl = frame_context();
-    Render *render = render_open(gl, &(RenderOptions){.compile = &options, .view = "light"});
+    Renderer *renderer =
+        renderer_open(gl, &(RendererOptions){.compile = &options, .view = "light"});
     float *rgba = calloc(90 * 30, 4 * sizeof *rgba);
     assert_non_null(rgba);
-    assert_true(render && render_scene(render, scene) && render_frame(render) &&
-                render_read(render, rgba));
+    assert_true(renderer && renderer_set_scene(renderer, scene) && renderer_frame(renderer) &&
+                renderer_read(renderer, rgba));
     for (int i = 0; i < 9; i++)
         /* 10 bits */
         assert_true(fabs(rgba[4 * (15 * 90 + 15 + 30 * (i / 3)) + i % 3] - .1 * (i + 1)) < 5e-4);
-    char *stats = render_stats(render);
+    char *stats = renderer_stats(renderer);
     assert_non_null(strstr(stats, "3 materials, 3 programs of 1 texts"));
     assert_non_null(strstr(stats, "in 1 meshes"));
     free(stats);
     free(rgba);
-    render_close(render);
+    renderer_close(renderer);
     gl_close(gl);
     frame_forget(scene, document);
 }
@@ -239,20 +240,20 @@ static void views_need_less(void **state)
                     &options, &document);
     GlContext *gl = frame_context();
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        const RenderOptions drawn = {.compile = &options,
-                                     .view = cases[i].view,
-                                     .lights = cases[i].lights,
-                                     .width = 30,
-                                     .height = 20};
-        Render *render = render_open(gl, &drawn);
-        assert_true(render && render_scene(render, scene));
-        char *graph = frame_graph(render);
+        const RendererOptions drawn = {.compile = &options,
+                                       .view = cases[i].view,
+                                       .lights = cases[i].lights,
+                                       .width = 30,
+                                       .height = 20};
+        Renderer *renderer = renderer_open(gl, &drawn);
+        assert_true(renderer && renderer_set_scene(renderer, scene));
+        char *graph = frame_graph(renderer);
         if (!strstr(graph, cases[i].rests))
             fail_msg("%s", graph);
         free(graph);
-        render_close(render);
+        renderer_close(renderer);
     }
-    assert_null(render_open(gl, &(RenderOptions){.compile = &options, .view = "deep"}));
+    assert_null(renderer_open(gl, &(RendererOptions){.compile = &options, .view = "deep"}));
     assert_string_equal(gl->error,
                         "there is no view 'deep': shown, wireframe, volume, light, depth, shadow, "
                         "positions, voxels, open, indirect, bent, visibility, or a slot");

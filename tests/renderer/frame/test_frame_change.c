@@ -19,7 +19,7 @@ typedef struct {
     GlContext *gl;
     MatcDocument *document;
     Scene *scene;
-    Render *render;
+    Renderer *renderer;
 } Changing;
 
 static Changing open_changing(const char *text)
@@ -27,8 +27,9 @@ static Changing open_changing(const char *text)
     Changing c = {.options = frame_exact_options(), .gl = frame_context()};
     c.scene = frame_scene(text, &c.options, &c.document);
     frame_count_calls(c.gl);
-    c.render = render_open(c.gl, &(RenderOptions){.compile = &c.options, .view = "light"});
-    assert_true(c.render && render_scene(c.render, c.scene) && render_frame(c.render));
+    c.renderer = renderer_open(c.gl, &(RendererOptions){.compile = &c.options, .view = "light"});
+    assert_true(c.renderer && renderer_set_scene(c.renderer, c.scene) &&
+                renderer_frame(c.renderer));
     frame_calls = (FrameCalls){0};
     return c;
 }
@@ -36,7 +37,7 @@ static Changing open_changing(const char *text)
 static void close_changing(Changing *c)
 {
     assert_true(gl_check(c->gl, "all changes"));
-    render_close(c->render);
+    renderer_close(c->renderer);
     gl_close(c->gl);
     frame_forget(c->scene, c->document);
 }
@@ -45,7 +46,7 @@ static float *read_frame(const Changing *c)
 {
     float *rgba = calloc((size_t)c->scene->width * (size_t)c->scene->height, 4 * sizeof *rgba);
     assert_non_null(rgba);
-    assert_true(render_frame(c->render) && render_read(c->render, rgba));
+    assert_true(renderer_frame(c->renderer) && renderer_read(c->renderer, rgba));
     return rgba;
 }
 
@@ -59,7 +60,7 @@ static void assert_as_new(const Changing *c, long most)
     float *changed = read_frame(c);
     GlContext *gl = frame_context();
     float *new =
-        frame_floats(gl, c->scene, &(RenderOptions){.compile = &c->options, .view = "light"});
+        frame_floats(gl, c->scene, &(RendererOptions){.compile = &c->options, .view = "light"});
     assert_true(same(changed, new, c->scene));
     gl_close(gl);
     assert_true(gl_use(c->gl));
@@ -75,25 +76,25 @@ static void changes(void **unused)
     Changing c = open_changing(text);
     Scene *scene = c.scene;
     scene->objects[3].world_from_local.m[12] += .25;
-    assert_true(render_changed_objects(c.render, 3, 1));
+    assert_true(renderer_changed_objects(c.renderer, 3, 1));
     assert_as_new(&c, 128 + 4 * 120); /* its row, and who is in view */
     for (int i = 0; i < scene->object_count; i++)
         scene->objects[i].world_from_local.m[14] += .1 * i / scene->object_count;
-    assert_true(render_changed_objects(c.render, 0, scene->object_count));
+    assert_true(renderer_changed_objects(c.renderer, 0, scene->object_count));
     assert_as_new(&c, (128 + 4) * 120);
     for (int i = 0; i < 3; i++)
         scene->objects[9].world_from_local.m[i] *= -1; /* its triangles turn round: another group */
-    assert_true(render_changed_objects(c.render, 9, 1));
+    assert_true(renderer_changed_objects(c.renderer, 9, 1));
     assert_as_new(&c, (128 + 12) * 120);
     scene->camera.position[0] += 1;
-    assert_true(render_changed(c.render, RENDER_CAMERA));
+    assert_true(renderer_changed(c.renderer, RENDERER_CAMERA));
     assert_as_new(&c, 112 + 4 * 120);
     scene->lights[0].light[1] *= .5;
     scene->lights[0].position[2] += 1;
     scene->lights[1].light[0] *= 2;
-    assert_true(render_changed(c.render, RENDER_LIGHTS));
+    assert_true(renderer_changed(c.renderer, RENDERER_LIGHTS));
     assert_as_new(&c, 0);
-    assert_false(render_changed_objects(c.render, 100, 21));
+    assert_false(renderer_changed_objects(c.renderer, 100, 21));
     assert_string_equal(c.gl->error, "there are no objects 100 to 120");
     close_changing(&c);
     free(text);
@@ -117,7 +118,7 @@ static void others_in_view(void **unused)
     Changing c = open_changing(text);
     for (int i = 1; i < 3; i++) {
         c.scene->camera.position[0] += 4;
-        assert_true(render_changed(c.render, RENDER_CAMERA));
+        assert_true(renderer_changed(c.renderer, RENDERER_CAMERA));
         assert_as_new(&c, 112 + 4);
         float *rgba = read_frame(&c);
         assert_true(fabsf(rgba[4 * (8 * 24 + 12) + 1] - (.2f + .3f * (float)i)) < 1e-3f);
@@ -125,7 +126,7 @@ static void others_in_view(void **unused)
     }
     for (int i = 0; i < 3; i++)
         c.scene->objects[i].world_from_local.m[12] += .25;
-    assert_true(render_changed_objects(c.render, 0, 3));
+    assert_true(renderer_changed_objects(c.renderer, 0, 3));
     assert_as_new(&c, (128 + 4) * 3);
     close_changing(&c);
 }
@@ -144,14 +145,14 @@ static void params(void **unused)
                                "shine, default: .2 } }, transform: { "
                                "translation: [.5, 0, 0] } }\n");
     const int second = c.scene->objects[1].material;
-    assert_true(render_param(c.render, second, "shine", &(float){.8f}, 1));
+    assert_true(renderer_param(c.renderer, second, "shine", &(float){.8f}, 1));
     assert_int_equal(frame_calls.made, 0);
     float *rgba = read_frame(&c);
     /* 10 bits */
     assert_true(fabsf(rgba[4 * 105] - .2f) < 1e-3f && fabsf(rgba[4 * 115] - .8f) < 1e-3f);
-    assert_false(render_param(c.render, second, "shin", &(float){.8f}, 1));
+    assert_false(renderer_param(c.renderer, second, "shin", &(float){.8f}, 1));
     assert_string_equal(c.gl->error, "no program of the material has a param 'shin' of 1 lanes");
-    assert_false(render_param(c.render, second, "shine", (float[3]){0}, 3));
+    assert_false(renderer_param(c.renderer, second, "shine", (float[3]){0}, 3));
     free(rgba);
     close_changing(&c);
 }
@@ -175,7 +176,7 @@ static void the_next_scene(void **unused)
     const int before = frame_calls.programs;
     frame_calls = (FrameCalls){0};
     assert_int_equal(before, 0);
-    assert_true(render_scene(c.render, scene));
+    assert_true(renderer_set_scene(c.renderer, scene));
     assert_int_equal(frame_calls.programs, 0);
     frame_forget(c.scene, c.document);
     c.scene = scene;
@@ -199,7 +200,7 @@ static void cascades(void **state)
         "- { object: Box, material: { material: Phong, diffuse: .5 }, transform: { translation: "
         "[0, 0, .5] } }\n");
     c.scene->camera.position[0] += 2;
-    assert_true(render_changed(c.render, RENDER_CAMERA));
+    assert_true(renderer_changed(c.renderer, RENDERER_CAMERA));
     assert_as_new(&c, 112 + 4 * 2);
     close_changing(&c);
 }

@@ -38,7 +38,7 @@ static void take_source(GLuint shader, GLsizei count, const GLchar *const *piece
 }
 
 /* A scene, small. */
-static void draw_scene(const char *path, const char *text, RenderOptions *how)
+static void draw_scene(const char *path, const char *text, RendererOptions *how)
 {
     MatcOptions options;
     matc_options_init(&options);
@@ -83,10 +83,10 @@ static void renderer_derives_unconditionally(void **state)
         char *text = read_whole(path, &size);
         assert_non_null(text);
         draw_scene(path, text,
-                   &(RenderOptions){.view = rows[i].view, .transparency = rows[i].transparency});
+                   &(RendererOptions){.view = rows[i].view, .transparency = rows[i].transparency});
         free(text);
     }
-    draw_scene("hybrid.yaml", hybrid, &(RenderOptions){.view = "volume"});
+    draw_scene("hybrid.yaml", hybrid, &(RendererOptions){.view = "volume"});
     free(driver.text);
     print_message("%d of the renderer's programs, %d implicit derivatives\n", driver.programs,
                   driver.derivatives);

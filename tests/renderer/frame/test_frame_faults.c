@@ -40,12 +40,12 @@ static void assert_refused(int units, const char *layout, const char *said)
     Scene *scene = frame_scene(text, &options, &document);
     options.layout = layout;
     gl->max_texture_units = units;
-    Render *render = render_open(gl, &(RenderOptions){.compile = &options});
-    assert_non_null(render);
-    assert_false(render_scene(render, scene));
+    Renderer *renderer = renderer_open(gl, &(RendererOptions){.compile = &options});
+    assert_non_null(renderer);
+    assert_false(renderer_set_scene(renderer, scene));
     if (strncmp(gl->error, said, strlen(said)) != 0)
         fail_msg("%s", gl->error);
-    render_close(render);
+    renderer_close(renderer);
     gl_close(gl);
     frame_forget(scene, document);
 }
@@ -114,18 +114,18 @@ static void targets_are_named(void **state)
     gl->TexStorage2D = store_texture;
     gl->FramebufferTexture2D = attach_texture;
     gl->CheckFramebufferStatus = refuse_halves;
-    Render *render =
+    Renderer *renderer =
         /* light lies by itself */
-        render_open(gl, &(RenderOptions){.compile = &compile, .fragment = true});
-    assert_non_null(render);
-    assert_false(render_scene(render, scene));
+        renderer_open(gl, &(RendererOptions){.compile = &compile, .fragment = true});
+    assert_non_null(renderer);
+    assert_false(renderer_set_scene(renderer, scene));
     assert_string_equal(
         gl->error, "the driver cannot draw to one of these formats: RGBA16F, and depth DEPTH32F");
-    assert_false(render_frame(render));
+    assert_false(renderer_frame(renderer));
     gl->CheckFramebufferStatus = fake.driver.CheckFramebufferStatus;
-    assert_true(render_scene(render, scene) && render_frame(render));
+    assert_true(renderer_set_scene(renderer, scene) && renderer_frame(renderer));
     assert_true(gl_check(gl, "all of it"));
-    render_close(render);
+    renderer_close(renderer);
     gl_close(gl);
     frame_forget(scene, document);
 }
@@ -182,12 +182,12 @@ static void shadow_maps(void **state)
             size += (size_t)snprintf(scene_text + size, sizeof scene_text - size,
                                      "- { light: Point }\n");
         Scene *scene = frame_scene(scene_text, &options, &document);
-        Render *render = render_open(gl, &(RenderOptions){.compile = &options});
-        assert_non_null(render);
-        assert_int_equal(render_scene(render, scene), !cases[i].said);
+        Renderer *renderer = renderer_open(gl, &(RendererOptions){.compile = &options});
+        assert_non_null(renderer);
+        assert_int_equal(renderer_set_scene(renderer, scene), !cases[i].said);
         if (cases[i].said)
             assert_string_equal(gl->error, cases[i].said);
-        render_close(render);
+        renderer_close(renderer);
         frame_forget(scene, document);
     }
     gl_close(gl);
@@ -213,7 +213,7 @@ static void nothing_stands_there(void **state)
                  EDGE, EDGE, ways[i]);
         Scene *scene = frame_scene(scene_text, &options, &document);
         float *rgba =
-            frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "light"});
+            frame_floats(gl, scene, &(RendererOptions){.compile = &options, .view = "light"});
         for (int k = 0; k < LANES * EDGE * EDGE; k++)
             assert_true(k % LANES == 3 || rgba[k] == 0);
         free(rgba);

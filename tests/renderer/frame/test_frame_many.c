@@ -31,9 +31,9 @@ static void nothing_in_view_is_left_out(void **unused)
         char *text = frame_random_text((uint64_t)round + 1, 150, round % 3 == 2);
         Scene *scene = frame_scene(text, &options, &document);
         float *culled =
-            frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "light"});
+            frame_floats(gl, scene, &(RendererOptions){.compile = &options, .view = "light"});
         float *whole = frame_floats(
-            gl, scene, &(RenderOptions){.compile = &options, .view = "light", .unculled = true});
+            gl, scene, &(RendererOptions){.compile = &options, .view = "light", .unculled = true});
         assert_true(same(culled, whole, scene));
         free(culled);
         free(whole);
@@ -112,7 +112,7 @@ static void no_inside_at_a_rim(void **unused)
                  WIDTH, HEIGHT, from[0], from[1], from[2], solids[i % 2]);
         Scene *scene = frame_scene(text, &options, &document);
         float *normals =
-            frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "normal"});
+            frame_floats(gl, scene, &(RendererOptions){.compile = &options, .view = "normal"});
         assert_true(normals[4 * (HEIGHT / 2 * WIDTH + WIDTH / 2) + 3] > 0);
         assert_int_equal(count_turned(normals, WIDTH, HEIGHT), 0);
         free(normals);
@@ -148,7 +148,7 @@ static void insides_are_seen_from_within(void **unused)
                  cases[i].camera);
         Scene *scene = frame_scene(text, &options, &document);
         float *depth =
-            frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "depth"});
+            frame_floats(gl, scene, &(RendererOptions){.compile = &options, .view = "depth"});
         int seen = 0;
         for (int k = 0; k < 48 * 36; k++)
             seen += depth[4 * k + 3] > 0;
@@ -218,9 +218,9 @@ static void instances_or_not(void **unused)
             GlContext *gl = frame_context();
             gl->VertexAttribDivisor = way ? NULL : gl->VertexAttribDivisor;
             pictures[0][way] =
-                frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "depth"});
+                frame_floats(gl, scene, &(RendererOptions){.compile = &options, .view = "depth"});
             pictures[1][way] =
-                frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "light"});
+                frame_floats(gl, scene, &(RendererOptions){.compile = &options, .view = "light"});
             gl_close(gl);
         }
         assert_true(same(pictures[0][0], pictures[0][1], scene));
@@ -301,15 +301,15 @@ static void calls_do_not_grow(void **unused)
         char *text = rows_text(i ? 400 : 50);
         Scene *scene = frame_scene(text, &options, &document);
         GlContext *gl = frame_context();
-        Render *render = render_open(gl, &(RenderOptions){.compile = &options});
+        Renderer *renderer = renderer_open(gl, &(RendererOptions){.compile = &options});
         frame_count_calls(gl);
-        assert_true(render && render_scene(render, scene));
+        assert_true(renderer && renderer_set_scene(renderer, scene));
         made[i] = frame_calls.made;
         frame_calls = (FrameCalls){0};
-        assert_true(render_frame(render));
+        assert_true(renderer_frame(renderer));
         drawn[i] = frame_calls.drawn;
         programs[i] = frame_calls.programs;
-        render_close(render);
+        renderer_close(renderer);
         gl_close(gl);
         free(text);
         frame_forget(scene, document);

@@ -52,20 +52,20 @@ static void draw(const Scene *scene, const MatcOptions *options, int number, int
     GlContext *gl = frame_context();
     if (way == SEPARATE)
         gl->TextureView = NULL;
-    Render *render =
-        render_open(gl, &(RenderOptions){.compile = options,
-                                         .edges = cases[number].edges ? RENDER_EDGES_coverage
-                                                                      : RENDER_EDGES_none,
-                                         .linear = cases[number].linear,
-                                         .transparency = cases[number].peeled ? "peeling" : NULL,
-                                         .fragment = way == FRAGMENTS});
-    assert_non_null(render);
-    if (!render_scene(render, scene) || !render_frame(render) || !render_frame(render) ||
-        !render_read(render, rgba))
+    Renderer *renderer = renderer_open(
+        gl, &(RendererOptions){.compile = options,
+                               .edges = cases[number].edges ? RENDERER_EDGES_coverage
+                                                            : RENDERER_EDGES_none,
+                               .linear = cases[number].linear,
+                               .transparency = cases[number].peeled ? "peeling" : NULL,
+                               .fragment = way == FRAGMENTS});
+    assert_non_null(renderer);
+    if (!renderer_set_scene(renderer, scene) || !renderer_frame(renderer) ||
+        !renderer_frame(renderer) || !renderer_read(renderer, rgba))
         fail_msg("%s", gl->error);
-    if (render_pixel_bytes(render) != cases[number].bytes[way])
-        fail_msg("case %d, way %d: %d bytes a pixel", number, way, render_pixel_bytes(render));
-    render_close(render);
+    if (renderer_pixel_bytes(renderer) != cases[number].bytes[way])
+        fail_msg("case %d, way %d: %d bytes a pixel", number, way, renderer_pixel_bytes(renderer));
+    renderer_close(renderer);
     gl_close(gl);
 }
 
@@ -110,7 +110,7 @@ static void views_stay(void **state)
             GlContext *gl = frame_context();
             gl->TextureView = way ? NULL : gl->TextureView;
             pictures[way] =
-                frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = views[i]});
+                frame_floats(gl, scene, &(RendererOptions){.compile = &options, .view = views[i]});
             gl_close(gl);
         }
         assert_memory_equal(pictures[0], pictures[1], sizeof shared);

@@ -3,7 +3,7 @@
  * that go far; what reads the position in the world. */
 /* ctest: unsanitized seconds=130 */
 #include "tests/test.h"
-#include "runtime/render/matc_render.h"
+#include "runtime/renderer/matc_render.h"
 #include "runtime/scene/scene_origin.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame/frame_example.h"
@@ -52,26 +52,26 @@ static Difference compare(const float *a, const float *b, int pixels)
 /* A line of the world's axes or grid stays where it is, and so does the end of an arrow along which
  * a directional light shines: the tools of the example `tools` are left out. No example reads the
  * position in the world. */
-static float *draw_text(Render *render, GlContext *gl, const char *name, const char *text,
+static float *draw_text(Renderer *renderer, GlContext *gl, const char *name, const char *text,
                         int *pixels)
 {
     const MatcOptions options = options_of();
     MatcDocument *document;
     Scene *scene = frame_example_of(name, text, &(FrameExample){WIDTH, &options}, &document);
     scene->tools.grid = scene->tools.axes = scene->tools.lights = false;
-    float *rgba = frame_floats_by(gl, render, scene);
+    float *rgba = frame_floats_by(gl, renderer, scene);
     *pixels = scene->width * scene->height;
     frame_forget(scene, document);
     return rgba;
 }
 
-static Render *open_render(GlContext *gl, const MatcOptions *options)
+static Renderer *open_renderer(GlContext *gl, const MatcOptions *options)
 {
-    Render *render =
-        render_open(gl, &(RenderOptions){.compile = options, .edges = RENDER_EDGES_coverage});
-    if (!render)
+    Renderer *renderer =
+        renderer_open(gl, &(RendererOptions){.compile = options, .edges = RENDERER_EDGES_coverage});
+    if (!renderer)
         fail_msg("%s", gl->error);
-    return render;
+    return renderer;
 }
 
 /* Their names; how many. */
@@ -100,13 +100,13 @@ static void assert_moved(GlContext *gl, const char *name)
     static const FrameMove moves[] = {{.translation = {1e6, 0, 0}},
                                       {.translation = {6378137, -6378137, 6378137}}};
     const MatcOptions options = options_of();
-    Render *render = open_render(gl, &options);
+    Renderer *renderer = open_renderer(gl, &options);
     int pixels;
     char *text = frame_example_text(name);
-    float *here = draw_text(render, gl, name, text, &pixels);
+    float *here = draw_text(renderer, gl, name, text, &pixels);
     for (size_t i = 0; i < sizeof moves / sizeof *moves; i++) {
         char *moved = frame_moved(text, &moves[i]);
-        float *there = draw_text(render, gl, name, moved, &pixels);
+        float *there = draw_text(renderer, gl, name, moved, &pixels);
         const Difference d = compare(here, there, pixels);
         if (d.off)
             fail_msg("%s, moved by %g: %d of %d pixels are off, at most by %.1f of 255", name,
@@ -116,7 +116,7 @@ static void assert_moved(GlContext *gl, const char *name)
     }
     free(here);
     free(text);
-    render_close(render);
+    renderer_close(renderer);
 }
 
 static void examples_are_moved(void **state)
@@ -153,7 +153,7 @@ static float *draw_pair(GlContext *gl, double x, const char *material)
     MatcDocument *document;
     put_pair(text, sizeof text, x, material);
     Scene *scene = frame_scene(text, &options, &document);
-    float *rgba = frame_floats(gl, scene, &(RenderOptions){.compile = &options});
+    float *rgba = frame_floats(gl, scene, &(RendererOptions){.compile = &options});
     frame_forget(scene, document);
     return rgba;
 }
@@ -203,8 +203,8 @@ static float *draw_turned(GlContext *gl, const char *name, const char *text, int
     Scene *scene = frame_example_of(name, text, &(FrameExample){TURNED_WIDTH, &options}, &document);
     *pixels = scene->width * scene->height;
     if (may_turn(scene))
-        rgba = frame_floats(gl, scene,
-                            &(RenderOptions){.compile = &options, .edges = RENDER_EDGES_coverage});
+        rgba = frame_floats(
+            gl, scene, &(RendererOptions){.compile = &options, .edges = RENDERER_EDGES_coverage});
     frame_forget(scene, document);
     return rgba;
 }
@@ -267,8 +267,8 @@ static void the_origin_follows(void **state)
     Scene *scene = frame_scene(text, &options, &document);
     assert_false(scene_origin_used(scene));
     scene->light_count = 1; /* the directional one */
-    Render *render = open_render(gl, &options);
-    float *here = frame_floats_by(gl, render, scene),
+    Renderer *renderer = open_renderer(gl, &options);
+    float *here = frame_floats_by(gl, renderer, scene),
           *there = calloc(PAIR_PIXELS, 4 * sizeof *there);
     scene->camera.position[0] += 100;
     scene->camera.target[0] += 100;
@@ -277,15 +277,15 @@ static void the_origin_follows(void **state)
     scene->camera.target[0] += far - 100;
     assert_true(scene_origin_follow(scene, &scene->camera));
     assert_true(fabs(scene->camera.position[0]) < 10 && fabs(scene->origin[0] - far) < 10);
-    if (!render_changed(render, RENDER_CAMERA) || !render_frame(render) ||
-        !render_read(render, there))
+    if (!renderer_changed(renderer, RENDERER_CAMERA) || !renderer_frame(renderer) ||
+        !renderer_read(renderer, there))
         fail_msg("%s", gl->error);
     const Difference d = compare(here, there, PAIR_PIXELS);
     print_message("after a way of %g: %d pixels off\n", far, d.off);
     assert_true(d.off == 0);
     free(here);
     free(there);
-    render_close(render);
+    renderer_close(renderer);
     frame_forget(scene, document);
     gl_close(gl);
 }

@@ -4,8 +4,8 @@
 #include "tests/test.h"
 #include <stdlib.h>
 #include <string.h>
-#include "runtime/frame/frame.h"
-#include "runtime/render/passes.h"
+#include "runtime/frame_graph/frame.h"
+#include "runtime/renderer/passes.h"
 
 enum { X = 1, Y = 2, Z = 4, V = 8 };
 

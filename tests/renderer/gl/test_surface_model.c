@@ -59,9 +59,9 @@ static float *draw(const Rig *rig, const char *text, const SurfaceModel *surface
 {
     MatcDocument *document;
     Scene *scene = frame_scene(text, &rig->options, &document);
-    float *rgba =
-        frame_floats(rig->gl, scene,
-                     &(RenderOptions){.compile = &rig->options, .view = view, .surface = surface});
+    float *rgba = frame_floats(
+        rig->gl, scene,
+        &(RendererOptions){.compile = &rig->options, .view = view, .surface = surface});
     frame_forget(scene, document);
     return rgba;
 }
@@ -132,12 +132,12 @@ static void faults_name_the_model(void **state)
     Scene *scene =
         frame_scene("lights: []\nobjects: [{ object: Box, material: { material: Phong } }]\n",
                     &rig.options, &document);
-    Render *render =
-        render_open(rig.gl, &(RenderOptions){.compile = &rig.options, .surface = &broken});
-    assert_non_null(render);
-    assert_false(render_scene(render, scene));
+    Renderer *renderer =
+        renderer_open(rig.gl, &(RendererOptions){.compile = &rig.options, .surface = &broken});
+    assert_non_null(renderer);
+    assert_false(renderer_set_scene(renderer, scene));
     assert_non_null(strstr(rig.gl->error, "lighting surfaces by the model Broken: "));
-    render_close(render);
+    renderer_close(renderer);
     frame_forget(scene, document);
     close_rig(&rig);
 }

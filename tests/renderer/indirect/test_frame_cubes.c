@@ -9,7 +9,7 @@
 static int lane_seen(const FrameVoxelsDrawn *d, int pixel, int width, int height)
 {
     const SceneCamera *camera = &d->scene->camera;
-    const VoxelGrid *grid = &d->render->voxels->grid;
+    const VoxelGrid *grid = &d->renderer->voxels->grid;
     const double half = camera->half, step = .02;
     const double x = (2 * (pixel % width) + 1 - width) * half / height,
                  y = (2 * (pixel / width) + 1 - height) * half / height;
@@ -49,8 +49,8 @@ static void the_view_has_the_nearest_voxel(void **state)
     FrameVoxelsDrawn d = frame_voxels_drawn(FRAME_VOXELS_BODIES FRAME_VOXELS_SHEETS, 64);
     float *rgba = malloc(sizeof *rgba * 4 * PIXELS);
     int shown = 0, wrong = 0;
-    assert_int_equal(render_lanes(d.render), 4);
-    assert_true(render_frame(d.render) && render_read(d.render, rgba));
+    assert_int_equal(renderer_lanes(d.renderer), 4);
+    assert_true(renderer_frame(d.renderer) && renderer_read(d.renderer, rgba));
     for (int i = 0; i < PIXELS; i += 3) {
         const int lane = lane_seen(&d, i, WIDTH, HEIGHT);
         shown += lane >= 0;
@@ -79,13 +79,13 @@ static void levels_there_are(void **state)
          "there is no view 'voxelsx': shown, wireframe, volume, light, depth, shadow, positions, "
          "voxels, open, indirect, bent, visibility, or a slot"}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        Render *render =
-            render_open(d.gl, &(RenderOptions){.compile = &options, .view = cases[i].view});
-        const bool fine = render && render_scene(render, d.scene);
+        Renderer *renderer =
+            renderer_open(d.gl, &(RendererOptions){.compile = &options, .view = cases[i].view});
+        const bool fine = renderer && renderer_set_scene(renderer, d.scene);
         assert_int_equal(fine, !cases[i].said);
         if (!fine)
             assert_string_equal(d.gl->error, cases[i].said);
-        render_close(render);
+        renderer_close(renderer);
     }
     frame_voxels_forget(&d);
 }

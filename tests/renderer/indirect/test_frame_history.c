@@ -30,7 +30,7 @@ static void open_rig(FrameRunning *rig, const char *keys, const char *view)
 {
     char text[TEXT];
     snprintf(text, sizeof text, "indirect: { radius: 1, %s }\n%s", keys, room);
-    frame_running_open(gl, text, &(RenderOptions){.view = view, .deep = true}, rig);
+    frame_running_open(gl, text, &(RendererOptions){.view = view, .deep = true}, rig);
 }
 
 /* Draws one frame. */
@@ -106,7 +106,7 @@ static void turn(FrameRunning *rig, int step)
     const double angle = .012 * step, far = 4 - .01 * step;
     camera->position[0] = .4 + far * sin(angle);
     camera->position[1] = -far * cos(angle);
-    assert_true(render_changed(rig->render, RENDER_CAMERA));
+    assert_true(renderer_changed(rig->renderer, RENDERER_CAMERA));
 }
 
 /* While a camera moves, what is kept is nearer to the truth than one frame's rays, and differs less
@@ -156,14 +156,14 @@ static void nothing_is_left_behind_what_moves(void **state)
     open_rig(&depth, "samples: 1", "depth");
     memcpy(some, frame_running_draw(&depth), sizeof some);
     depth.scene->objects[SPHERE].world_from_local.m[12] += .9;
-    assert_true(render_changed_objects(depth.render, SPHERE, 1));
+    assert_true(renderer_changed_objects(depth.renderer, SPHERE, 1));
     frame_running_draw(&depth);
     for (int p = 0; p < PIXELS; p++)
         covered[p] = some[4 * p] > depth.rgba[4 * p] * 1.02f;
     frame_running_close(&depth);
     for (int i = 0; i < 3; i++) {
         rigs[i].scene->objects[SPHERE].world_from_local.m[12] += .9;
-        assert_true(render_changed_objects(rigs[i].render, SPHERE, 1));
+        assert_true(renderer_changed_objects(rigs[i].renderer, SPHERE, 1));
         frame_running_draw(&rigs[i]);
         off[i] = apart(rigs[i].rgba, rigs[0].rgba);
     }
@@ -192,7 +192,7 @@ static void roll(FrameRunning *rig, int step)
     for (int k = 0; k < 9; k++)
         m[4 * (k / 3) + k % 3] = turned[k];
     m[12] += .3 * .07;
-    assert_true(render_changed_objects(rig->render, SPHERE, 1));
+    assert_true(renderer_changed_objects(rig->renderer, SPHERE, 1));
 }
 
 /* Which pixels show the ball, in each frame: those whose depth is another when it lies below the
@@ -203,7 +203,7 @@ static void find_ball(bool shown[STEPS][PIXELS])
     open_rig(&shape, "samples: 1", "depth");
     open_rig(&empty, "samples: 1", "depth");
     empty.scene->objects[SPHERE].world_from_local.m[14] -= 5;
-    assert_true(render_changed_objects(empty.render, SPHERE, 1));
+    assert_true(renderer_changed_objects(empty.renderer, SPHERE, 1));
     frame_running_draw(&empty);
     for (int step = 0; step < STEPS; step++) {
         roll(&shape, step);
@@ -293,14 +293,14 @@ static void what_slides_over_a_wall_lends_what_is_alike(void **state)
     for (int i = 0; i < 4; i++) {
         snprintf(text, sizeof text, "indirect: { radius: 1, %s }\n%s", keys[i % 3], slide);
         frame_running_open(gl, text,
-                           &(RenderOptions){.view = i < 3 ? "open" : "depth", .deep = true},
+                           &(RendererOptions){.view = i < 3 ? "open" : "depth", .deep = true},
                            i < 3 ? &rigs[i] : &depth);
     }
     for (int step = 0; step < STEPS; step++) {
         for (int i = 0; i < 4; i++) {
             FrameRunning *rig = i < 3 ? &rigs[i] : &depth;
             rig->scene->objects[2].world_from_local.m[12] += step_way;
-            assert_true(render_changed_objects(rig->render, 2, 1));
+            assert_true(renderer_changed_objects(rig->renderer, 2, 1));
             frame_running_draw(rig);
         }
         for (int p = 0; p < PIXELS; p++) {
@@ -333,7 +333,7 @@ static void lamps_that_change_are_followed(void **state)
             frame_running_draw(&rigs[i]);
         for (int k = 0; k < 3; k++)
             rigs[i].scene->lights[0].light[k] /= 2;
-        assert_true(render_changed(rigs[i].render, RENDER_LIGHTS));
+        assert_true(renderer_changed(rigs[i].renderer, RENDERER_LIGHTS));
         frame_running_draw(&rigs[i]);
         off[i] = apart(rigs[i].rgba, rigs[0].rgba);
     }
@@ -354,17 +354,17 @@ static void ways_and_wants(void **state)
                                        "samples: 1, filter: atrous, filterSize: 8"};
     for (int i = 0; i < 3; i++) {
         open_rig(&one, keys[i], "light");
-        char *graph = frame_graph(one.render);
+        char *graph = frame_graph(one.renderer);
         assert_true((strstr(graph, " rays history not run: nothing to do\n") == NULL) == (i == 1));
         free(graph);
         memcpy(some, frame_running_draw(&one), sizeof some);
-        Render *fragment = render_open(
-            gl, &(RenderOptions){
+        Renderer *fragment = renderer_open(
+            gl, &(RendererOptions){
                     .compile = &one.options, .view = "light", .deep = true, .fragment = true});
         float *drawn = frame_floats_by(gl, fragment, one.scene);
         assert_true(apart(drawn, some) < 1e-6);
         free(drawn);
-        render_close(fragment);
+        renderer_close(fragment);
         frame_running_close(&one);
     }
 }

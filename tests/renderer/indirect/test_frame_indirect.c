@@ -38,7 +38,7 @@ static float *draw(Rig *rig, const char *text, const char *view)
 {
     rig->scene = frame_scene(text, &rig->options, &rig->document);
     return frame_floats(rig->gl, rig->scene,
-                        &(RenderOptions){.compile = &rig->options, .view = view, .deep = true});
+                        &(RendererOptions){.compile = &rig->options, .view = view, .deep = true});
 }
 
 static void forget(Rig *rig, float *rgba)
@@ -336,19 +336,19 @@ static void fragments_and_memory_change_nothing(void **state)
     Rig rig = open_rig();
     rig.scene = frame_scene(BOX "indirect: {}\nlights: [" AROUND ", " LAMP "]\n", &rig.options,
                             &rig.document);
-    RenderOptions options = {.compile = &rig.options, .view = "light", .deep = true};
+    RendererOptions options = {.compile = &rig.options, .view = "light", .deep = true};
     float *computed = frame_floats(rig.gl, rig.scene, &options);
     options.fragment = true;
     options.memory = 100000;
-    Render *render = render_open(rig.gl, &options);
-    float *drawn = frame_floats_by(rig.gl, render, rig.scene);
-    assert_int_equal(render_tile_height(render), HEIGHT);
+    Renderer *renderer = renderer_open(rig.gl, &options);
+    float *drawn = frame_floats_by(rig.gl, renderer, rig.scene);
+    assert_int_equal(renderer_tile_height(renderer), HEIGHT);
     double most = 0;
     for (int i = 0; i < 4 * PIXELS; i++)
         most = fmax(most, fabs((double)computed[i] - (double)drawn[i]));
     print_message("fragments are %.2g off\n", most);
     assert_true(most < 2e-6);
-    render_close(render);
+    renderer_close(renderer);
     free(computed);
     free(drawn);
     frame_forget(rig.scene, rig.document);
@@ -395,7 +395,7 @@ static void faults_say_why(void **state)
         snprintf(text, sizeof text, BOX "%s\n", cases[i].keys);
         rig.scene = frame_scene(text, &rig.options, &rig.document);
         char *fault = frame_graph_or_fault(
-            rig.gl, rig.scene, &(RenderOptions){.compile = &rig.options, .view = cases[i].view});
+            rig.gl, rig.scene, &(RendererOptions){.compile = &rig.options, .view = cases[i].view});
         assert_string_equal(fault, cases[i].fault);
         free(fault);
         frame_forget(rig.scene, rig.document);

@@ -94,7 +94,7 @@ static void find_truth(const Scene *scene, Truth *truth)
 }
 
 /* By keys of `indirect:`, and lights. */
-static float *drawn_by(GlContext *gl, Render *render, const char *texts[2], Truth *truth,
+static float *drawn_by(GlContext *gl, Renderer *renderer, const char *texts[2], Truth *truth,
                        SceneCamera *camera)
 {
     const MatcOptions options = frame_exact_options();
@@ -106,14 +106,14 @@ static float *drawn_by(GlContext *gl, Render *render, const char *texts[2], Trut
     if (!truth->count)
         find_truth(scene, truth);
     *camera = scene->camera;
-    float *rgba = frame_floats_by(gl, render, scene);
+    float *rgba = frame_floats_by(gl, renderer, scene);
     frame_forget(scene, document);
     return rgba;
 }
 
-static Render *opened(GlContext *gl, const MatcOptions *options, const char *view)
+static Renderer *opened(GlContext *gl, const MatcOptions *options, const char *view)
 {
-    return render_open(gl, &(RenderOptions){.compile = options, .view = view, .deep = true});
+    return renderer_open(gl, &(RendererOptions){.compile = options, .view = view, .deep = true});
 }
 
 static void to_world(const SceneCamera *camera, const float *eye, double way[3])
@@ -142,7 +142,7 @@ static void bent_normals_are_those_of_rays(void **state)
     Truth *truth = *state;
     GlContext *gl = frame_context();
     const MatcOptions options = frame_exact_options();
-    Render *renders[2] = {opened(gl, &options, "open"), opened(gl, &options, "bent")};
+    Renderer *renders[2] = {opened(gl, &options, "open"), opened(gl, &options, "bent")};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         SceneCamera camera;
         float *open =
@@ -174,8 +174,8 @@ static void bent_normals_are_those_of_rays(void **state)
         free(open);
         free(bent);
     }
-    render_close(renders[0]);
-    render_close(renders[1]);
+    renderer_close(renders[0]);
+    renderer_close(renders[1]);
     gl_close(gl);
 }
 
@@ -193,7 +193,7 @@ static void put_sky(const double way[3], char text[TEXT])
 }
 
 /* Root of the mean square over all half skies, against rays. */
-static double light_off(GlContext *gl, Render *render, const char *keys, Truth *truth,
+static double light_off(GlContext *gl, Renderer *renderer, const char *keys, Truth *truth,
                         bool hemisphere)
 {
     const double diffuse = .7;
@@ -204,7 +204,7 @@ static double light_off(GlContext *gl, Render *render, const char *keys, Truth *
         put_sky(skies[sky], lights);
         const char *texts[2] = {
             keys, hemisphere ? "lights: [{ light: Hemisphere, ground: [0, 0, 0] }]\n" : lights};
-        float *light = drawn_by(gl, render, texts, truth, &camera);
+        float *light = drawn_by(gl, renderer, texts, truth, &camera);
         for (int p = 0; p < truth->count; p++) {
             const double off =
                 light[4 * truth->places[p].pixel] / diffuse - truth->places[p].light[sky];
@@ -232,14 +232,14 @@ static void light_of_half_a_sky_comes_by_direction(void **state)
     Truth *truth = *state;
     GlContext *gl = frame_context();
     const MatcOptions options = frame_exact_options();
-    Render *render = opened(gl, &options, "light");
+    Renderer *renderer = opened(gl, &options, "light");
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        const double off = light_off(gl, render, cases[i].keys, truth, cases[i].hemisphere);
+        const double off = light_off(gl, renderer, cases[i].keys, truth, cases[i].hemisphere);
         print_message("%s, %s: %.4f\n", cases[i].keys, cases[i].hemisphere ? "Hemisphere" : "Sky",
                       off);
         assert_true(off >= cases[i].least && off < cases[i].most);
     }
-    render_close(render);
+    renderer_close(renderer);
     gl_close(gl);
 }
 
@@ -251,28 +251,28 @@ static void hemispheres_change(void **state)
                                           "lights: [{ light: Hemisphere, ground: [0, 0, 0] }]\n"};
     const MatcOptions options = frame_exact_options();
     GlContext *gl = frame_context();
-    Render *render = opened(gl, &options, "light");
+    Renderer *renderer = opened(gl, &options, "light");
     float *wanted[2];
     SceneCamera camera;
     char text[TEXT];
     MatcDocument *document;
     for (int i = 0; i < 2; i++)
         wanted[i] =
-            drawn_by(gl, render, (const char *[2]){"method: voxels", lights[i]}, *state, &camera);
+            drawn_by(gl, renderer, (const char *[2]){"method: voxels", lights[i]}, *state, &camera);
     snprintf(text, sizeof text, "indirect: { radius: %g, bounces: 0, method: voxels }\n%s%s",
              radius, lights[0], body);
     Scene *scene = frame_scene(text, &options, &document);
-    free(frame_floats_by(gl, render, scene));
+    free(frame_floats_by(gl, renderer, scene));
     for (int i = 1; i >= 0; i--) {
         float rgba[4 * EDGE * EDGE];
         for (int k = 0; k < 3; k++)
             scene->lights[0].ground[k] = i ? 0 : scene->lights[0].light[k];
-        assert_true(render_changed(render, RENDER_LIGHTS) && render_frame(render) &&
-                    render_read(render, rgba));
+        assert_true(renderer_changed(renderer, RENDERER_LIGHTS) && renderer_frame(renderer) &&
+                    renderer_read(renderer, rgba));
         assert_memory_equal(rgba, wanted[i], sizeof rgba);
         free(wanted[i]);
     }
-    render_close(render);
+    renderer_close(renderer);
     frame_forget(scene, document);
     gl_close(gl);
 }

@@ -74,8 +74,8 @@ static float *drawn(GlContext *gl, const char *keys, const char *view, unsigned 
     Scene *scene = frame_scene(text, &options, &document);
     if (lit)
         find_lit(scene, lit);
-    float *rgba =
-        frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = view, .deep = true});
+    float *rgba = frame_floats(gl, scene,
+                               &(RendererOptions){.compile = &options, .view = view, .deep = true});
     frame_forget(scene, document);
     return rgba;
 }

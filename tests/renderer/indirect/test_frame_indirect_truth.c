@@ -52,7 +52,7 @@ static void methods_against_rays(void **state)
                     light ? &options : NULL, truth);
             float *rgba = frame_floats(
                 gl, scene,
-                &(RenderOptions){.compile = &options, .view = light ? "indirect" : "open"});
+                &(RendererOptions){.compile = &options, .view = light ? "indirect" : "open"});
             const double off = indirect_truth_off(truth, rgba, light);
             print_message("%-48s %s %.4f off, of %d places", methods[i].keys,
                           light ? "light" : "openness", off, truth->count);
@@ -94,7 +94,7 @@ static void bounces_and_samples(void **state)
                                         .bounces = cases[i].bounces},
                             i ? NULL : &options, truth);
         float *rgba =
-            frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = cases[i].view});
+            frame_floats(gl, scene, &(RendererOptions){.compile = &options, .view = cases[i].view});
         const double off = indirect_truth_off(truth, rgba, !i);
         print_message("%-48s %.4f off\n", cases[i].keys, off);
         assert_true(off < cases[i].most);

@@ -29,13 +29,14 @@ static float *drawn(GlContext *gl, const char *keys, bool twice, char **said)
     MatcDocument *document;
     snprintf(text, sizeof text, "indirect: { radius: 1, %s }\n%s", keys, body);
     Scene *scene = frame_scene(text, &options, &document);
-    Render *render =
-        render_open(gl, &(RenderOptions){.compile = &options, .view = "light", .deep = true});
+    Renderer *renderer =
+        renderer_open(gl, &(RendererOptions){.compile = &options, .view = "light", .deep = true});
     float *rgba = calloc(4 * PIXELS, sizeof *rgba);
-    const bool fine = render && rgba && render_scene(render, scene) && render_frame(render) &&
-                      (!twice || render_frame(render)) && render_read(render, rgba);
-    *said = fine ? render_stats(render) : strdup(gl->error);
-    render_close(render);
+    const bool fine = renderer && rgba && renderer_set_scene(renderer, scene) &&
+                      renderer_frame(renderer) && (!twice || renderer_frame(renderer)) &&
+                      renderer_read(renderer, rgba);
+    *said = fine ? renderer_stats(renderer) : strdup(gl->error);
+    renderer_close(renderer);
     frame_forget(scene, document);
     if (!fine)
         free(rgba);

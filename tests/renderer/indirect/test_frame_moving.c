@@ -4,7 +4,7 @@
 #include "tests/test.h"
 #include "runtime/indirect/radiance/radiance.h"
 #include "runtime/indirect/voxels/voxels.h"
-#include "runtime/frame/frame.h"
+#include "runtime/frame_graph/frame.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame/frame_running.h"
 #include <math.h>
@@ -31,8 +31,8 @@ static FrameRunning open_rig(GlContext *gl, const char *keys, const char *view, 
     FrameRunning rig;
     char text[TEXT];
     snprintf(text, sizeof text, "indirect: { %s }\n%s", keys, body);
-    frame_running_open(gl, text, &(RenderOptions){.view = view, .deep = true, .fragment = fragment},
-                       &rig);
+    frame_running_open(gl, text,
+                       &(RendererOptions){.view = view, .deep = true, .fragment = fragment}, &rig);
     frame_running_draw(&rig);
     return rig;
 }
@@ -47,9 +47,10 @@ static void move(FrameRunning *rig, Change change)
         rig->scene->objects[0].world_from_local.m[12] -= .3;
     if (change == LIGHTS)
         rig->scene->lights[0].position[2] += .4;
-    assert_true(change == OBJECT ? render_changed_objects(rig->render, 0, 1)
-                                 : render_changed(rig->render, change == CAMERA ? RENDER_CAMERA
-                                                                                : RENDER_LIGHTS));
+    assert_true(change == OBJECT
+                    ? renderer_changed_objects(rig->renderer, 0, 1)
+                    : renderer_changed(rig->renderer,
+                                       change == CAMERA ? RENDERER_CAMERA : RENDERER_LIGHTS));
 }
 
 static double difference(const float *a, const float *b)
@@ -179,7 +180,7 @@ static void nodes_are_made_when_needed(void **state)
         {"{ light: Ambient }", "material: Principled, emissionColor: [.2, 0, 0]", false, false},
         {"{ light: Ambient }", "material: glTF, emissiveFactor: [0, 0, .2]", true, false}};
     const MatcOptions options = frame_exact_options();
-    const RenderOptions how = {.compile = &options, .view = "light"};
+    const RendererOptions how = {.compile = &options, .view = "light"};
     GlContext *gl = frame_context();
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         char text[1024];
@@ -190,19 +191,19 @@ static void nodes_are_made_when_needed(void **state)
                  "objects:\n- { object: Box, material: { %s } }\n",
                  cases[i].lights, cases[i].material);
         Scene *scene = frame_scene(text, &options, &document);
-        Render *render = render_open(gl, &how);
-        assert_true(render && render_scene(render, scene) && render_frame(render));
-        assert_int_equal(render->radiance->drawn, cases[i].has);
+        Renderer *renderer = renderer_open(gl, &how);
+        assert_true(renderer && renderer_set_scene(renderer, scene) && renderer_frame(renderer));
+        assert_int_equal(renderer->radiance->drawn, cases[i].has);
         scene->time = 2;
-        assert_true(render_changed(render, RENDER_TIME));
-        assert_int_equal(render->radiance->drawn, cases[i].has && !cases[i].by_time);
-        assert_true(render->voxels->drawn);
+        assert_true(renderer_changed(renderer, RENDERER_TIME));
+        assert_int_equal(renderer->radiance->drawn, cases[i].has && !cases[i].by_time);
+        assert_true(renderer->voxels->drawn);
         float *as_new = frame_floats(gl, scene, &how), *rgba = malloc(sizeof *rgba * 4 * 32 * 32);
-        assert_true(rgba && render_frame(render) && render_read(render, rgba));
+        assert_true(rgba && renderer_frame(renderer) && renderer_read(renderer, rgba));
         assert_memory_equal(as_new, rgba, sizeof *rgba * 4 * 32 * 32);
         free(rgba);
         free(as_new);
-        render_close(render);
+        renderer_close(renderer);
         frame_forget(scene, document);
     }
     gl_close(gl);

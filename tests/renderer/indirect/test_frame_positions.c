@@ -139,7 +139,7 @@ static void points_are_the_scenes(void **state)
         Scene *scene = frame_scene(text, &options, &document);
         float *rgba = frame_floats(
             gl, scene,
-            &(RenderOptions){.compile = &options, .view = cases[i].view, .memory = 100000});
+            &(RendererOptions){.compile = &options, .view = cases[i].view, .memory = 100000});
         const SceneCamera own = scene->camera;
         Tracer tracer = reference_open(scene);
         int counts[3] = {0}, wrong[2] = {0};

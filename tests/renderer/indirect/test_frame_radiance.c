@@ -39,7 +39,7 @@ static double brightest_of(GlContext *gl, const char *text, double *mean)
     const MatcOptions options = frame_exact_options();
     MatcDocument *document;
     Scene *scene = frame_scene(text, &options, &document);
-    float *rgba = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "light"});
+    float *rgba = frame_floats(gl, scene, &(RendererOptions){.compile = &options, .view = "light"});
     const double most = brightest(rgba);
     *mean = mean_of(rgba, 1);
     free(rgba);
@@ -165,7 +165,7 @@ static Off off_by(GlContext *gl, const char *text, bool light, OpenRays rays)
     Tracer tracer = reference_open(scene);
     tracer.shares = shares_of;
     float *rgba = frame_floats(
-        gl, scene, &(RenderOptions){.compile = &options, .view = light ? "indirect" : "open"});
+        gl, scene, &(RendererOptions){.compile = &options, .view = light ? "indirect" : "open"});
     for (int y = APART / 2; y < EDGE; y += APART)
         for (int x = APART / 2; x < EDGE; x += APART) {
             const Ray ray = reference_ray(scene, x + .5, y + .5);
@@ -359,7 +359,7 @@ static void glass_halves_what_is_behind_it(void **state)
         snprintf(text + length, sizeof text - (size_t)length, "%s", i ? pane : "");
         Scene *scene = frame_scene(text, &options, &document);
         rgba[i] = frame_floats(
-            gl, scene, &(RenderOptions){.compile = &options, .view = "light", .deep = true});
+            gl, scene, &(RendererOptions){.compile = &options, .view = "light", .deep = true});
         frame_forget(scene, document);
     }
     for (int i = 0; i < LANES * PIXELS; i++) {
@@ -380,11 +380,11 @@ static void glass_halves_what_is_behind_it(void **state)
 
 /* -- changes */
 
-static void assert_as_new(GlContext *gl, Render *render, const Scene *scene,
-                          const RenderOptions *options)
+static void assert_as_new(GlContext *gl, Renderer *renderer, const Scene *scene,
+                          const RendererOptions *options)
 {
     float *as_new = frame_floats(gl, scene, options), *rgba = malloc(sizeof *rgba * LANES * PIXELS);
-    assert_true(render_frame(render) && render_read(render, rgba));
+    assert_true(renderer_frame(renderer) && renderer_read(renderer, rgba));
     assert_memory_equal(as_new, rgba, sizeof *rgba * LANES * PIXELS);
     free(rgba);
     free(as_new);
@@ -403,32 +403,32 @@ static void what_changes_is_as_new(void **state)
     const char *at = strstr(behind, key) + strlen(key);
     snprintf(text, sizeof text, "%.*s bounces: 3,%s%s", (int)(at - behind), behind, at, reddens);
     const MatcOptions options = frame_exact_options();
-    const RenderOptions how = {.compile = &options, .view = "indirect"};
+    const RendererOptions how = {.compile = &options, .view = "indirect"};
     GlContext *gl = frame_context();
     MatcDocument *document;
     Scene *scene = frame_scene(text, &options, &document);
-    Render *render = render_open(gl, &how);
-    assert_non_null(render);
-    assert_true(render_scene(render, scene));
-    assert_as_new(gl, render, scene, &how);
+    Renderer *renderer = renderer_open(gl, &how);
+    assert_non_null(renderer);
+    assert_true(renderer_set_scene(renderer, scene));
+    assert_as_new(gl, renderer, scene, &how);
     scene->objects[2].world_from_local.m[13] += .3;
-    assert_true(render_changed_objects(render, 2, 1));
-    assert_as_new(gl, render, scene, &how);
+    assert_true(renderer_changed_objects(renderer, 2, 1));
+    assert_as_new(gl, renderer, scene, &how);
     scene->lights[0].position[0] -= .7;
-    assert_true(render_changed(render, RENDER_LIGHTS));
-    assert_as_new(gl, render, scene, &how);
+    assert_true(renderer_changed(renderer, RENDERER_LIGHTS));
+    assert_as_new(gl, renderer, scene, &how);
     float *before = malloc(sizeof *before * LANES * PIXELS),
           *rgba = malloc(sizeof *rgba * LANES * PIXELS);
-    assert_true(before && rgba && render_read(render, before));
+    assert_true(before && rgba && renderer_read(renderer, before));
     scene->time = 2;
-    assert_true(render_changed(render, RENDER_TIME));
-    assert_as_new(gl, render, scene, &how);
-    assert_true(render_read(render, rgba) && mean_of(rgba, 0) > 1.01 * mean_of(before, 0));
+    assert_true(renderer_changed(renderer, RENDERER_TIME));
+    assert_as_new(gl, renderer, scene, &how);
+    assert_true(renderer_read(renderer, rgba) && mean_of(rgba, 0) > 1.01 * mean_of(before, 0));
     /* blue goes on by the blue of what it meets */
     assert_true(fabs(mean_of(rgba, 2) / mean_of(before, 2) - 1) < .01);
     free(before);
     free(rgba);
-    render_close(render);
+    renderer_close(renderer);
     frame_forget(scene, document);
     gl_close(gl);
 }

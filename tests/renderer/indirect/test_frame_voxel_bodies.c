@@ -55,15 +55,15 @@ static double most_open(const FrameVoxelsDrawn *d)
         }
         for (int k = 0; k < 3; k++)
             normal[k] /= sqrt(length);
-        voxel_points_set(&points, i, &d->render->voxels->grid, at, normal);
+        voxel_points_set(&points, i, &d->renderer->voxels->grid, at, normal);
     }
-    if (!voxel_points_open(d->render, &points, (const char *[2]){voxel_points_ray, NULL}, &pass))
+    if (!voxel_points_open(d->renderer, &points, (const char *[2]){voxel_points_ray, NULL}, &pass))
         fail_msg("%s", d->gl->error);
-    voxel_points_run(d->render, &pass, 4 * SIZE, 1e-3f);
+    voxel_points_run(d->renderer, &pass, 4 * SIZE, 1e-3f);
     assert_true(framebuffer_read(d->gl, &pass.target, 0, said[0]));
     for (int i = 0; i < WIDE * HIGH; i++)
         most = fmax(most, said[i][0]);
-    voxel_points_close(d->render, &pass);
+    voxel_points_close(d->renderer, &pass);
     voxel_points_free(&points);
     return most;
 }
@@ -78,8 +78,8 @@ static void nothing_gets_out_of_a_room_of_boxes(void **state)
         FrameVoxelsDrawn d = frame_voxels_drawn(room, SIZE);
         const double open = most_open(&d);
         print_message("walls of %.2f voxels, in %d waves: of a point's rays %g get out\n",
-                      walls[i] * 3.4 / SIZE / d.render->voxels->grid.edge,
-                      d.render->voxels->wave_count, open);
+                      walls[i] * 3.4 / SIZE / d.renderer->voxels->grid.edge,
+                      d.renderer->voxels->wave_count, open);
         assert_true(open == 0);
         frame_voxels_forget(&d);
     }
@@ -111,13 +111,14 @@ static void what_crosses_is_full(void **state)
                      "- { object: Box, material: m, transform: { translation: [%g, %g, %g] } }\n",
                      middles[i][0], middles[i][1], middles[i][2]);
     FrameVoxelsDrawn d = frame_voxels_drawn(text, SIZE);
-    assert_int_equal(d.render->voxels->wave_count, 3);
+    assert_int_equal(d.renderer->voxels->wave_count, 3);
     for (int i = 0; i < SIZE * SIZE * SIZE; i++) {
         const int at[3] = {i % SIZE, i / SIZE % SIZE, i / SIZE / SIZE};
         double place[3], near = INFINITY;
         bool within = false;
         for (int k = 0; k < 3; k++)
-            place[k] = d.render->voxels->grid.low[k] + (at[k] + .5) * d.render->voxels->grid.edge;
+            place[k] =
+                d.renderer->voxels->grid.low[k] + (at[k] + .5) * d.renderer->voxels->grid.edge;
         for (int k = 0; k < BOXES; k++)
             within |= is_within(place, middles[k], .5, &near);
         full += within;
@@ -174,7 +175,7 @@ static void hostile_scenes_give_voxels(void **state)
     FrameVoxelsDrawn d = frame_voxels_drawn(many, SIZE);
     int surfaces = 0;
     for (int i = 0; i < 20; i++)
-        surfaces += !voxel_bodies_is_body(d.render->voxels, i);
+        surfaces += !voxel_bodies_is_body(d.renderer->voxels, i);
     assert_int_equal(surfaces, 20 - VOXELS_WAVES_MOST);
     assert_true(frame_voxels_bit(&d, (int[]){SIZE / 2, SIZE / 2, SIZE / 2}));
     frame_voxels_forget(&d);

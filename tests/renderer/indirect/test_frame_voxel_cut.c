@@ -101,9 +101,9 @@ typedef struct {
 
 static void read_found(Drawn *d)
 {
-    assert_true(render_frame(d->voxels.render));
-    assert_true(framebuffer_read(d->voxels.gl, &d->voxels.render->targets.draws[FRAME_DRAW_open], 0,
-                                 d->found));
+    assert_true(renderer_frame(d->voxels.renderer));
+    assert_true(framebuffer_read(d->voxels.gl, &d->voxels.renderer->targets.draws[FRAME_DRAW_open],
+                                 0, d->found));
 }
 
 static int set_up(void **state)
@@ -112,10 +112,10 @@ static int set_up(void **state)
     d.options = frame_float_options(&d.layout);
     d.voxels = (FrameVoxelsDrawn){.size = SIZE, .gl = frame_context()};
     d.voxels.scene = frame_scene(scene_text, &d.options, &d.voxels.document);
-    d.voxels.render = render_open(
-        d.voxels.gl, &(RenderOptions){.compile = &d.options, .view = "indirect", .deep = true});
+    d.voxels.renderer = renderer_open(
+        d.voxels.gl, &(RendererOptions){.compile = &d.options, .view = "indirect", .deep = true});
     d.found = calloc(PIXELS, 4 * sizeof *d.found);
-    if (!d.voxels.render || !d.found || !render_scene(d.voxels.render, d.voxels.scene))
+    if (!d.voxels.renderer || !d.found || !renderer_set_scene(d.voxels.renderer, d.voxels.scene))
         return print_message("%s\n", d.voxels.gl->error), -1;
     read_found(&d);
     d.voxels.words = frame_voxels_level(&d.voxels, 0);
@@ -159,7 +159,7 @@ static int expected(const VoxelGrid *grid, const int at[3])
 static void voxels_are_empty_where_it_is_cut_away(void **state)
 {
     const Drawn *d = *state;
-    const VoxelGrid *grid = &d->voxels.render->voxels->grid;
+    const VoxelGrid *grid = &d->voxels.renderer->voxels->grid;
     int full = 0, empty = 0, either = 0, wrong = 0;
     for (int i = 0; i < SIZE * SIZE * SIZE; i++) {
         const int at[3] = {i % SIZE, i / SIZE % SIZE, i / SIZE / SIZE};
@@ -180,26 +180,27 @@ static void voxels_are_empty_where_it_is_cut_away(void **state)
 
 static void programs_are_those_of_cut_outs(void **state)
 {
-    const Render *render = ((const Drawn *)*state)->voxels.render;
+    const Renderer *renderer = ((const Drawn *)*state)->voxels.renderer;
     int cut = 0;
-    for (int i = 0; i < render->set.count; i++) {
-        const PassProgram *program = &render->set.programs[i];
-        const char *name = matc_material_name(render->scene->materials[program->material].document,
-                                              render->scene->materials[program->material].index);
+    for (int i = 0; i < renderer->set.count; i++) {
+        const PassProgram *program = &renderer->set.programs[i];
+        const char *name =
+            matc_material_name(renderer->scene->materials[program->material].document,
+                               renderer->scene->materials[program->material].index);
         const bool has = !strcmp(name, "fence") || !strcmp(name, "lattice");
         assert_true(program->cut < 0 || has);
         cut += program->cut >= 0;
     }
     assert_int_equal(cut, 2);
-    for (int i = 0; i < render->gpu_scene.place_count; i++)
-        assert_true(render->gpu_scene.places[i].cut < 0 || !render->voxels->waves[i]);
+    for (int i = 0; i < renderer->gpu_scene.place_count; i++)
+        assert_true(renderer->gpu_scene.places[i].cut < 0 || !renderer->voxels->waves[i]);
 }
 
 /* The ball's skin is there, in part, and nothing within. */
 static void balls_with_holes_are_hollow(void **state)
 {
     const Drawn *d = *state;
-    const VoxelGrid *grid = &d->voxels.render->voxels->grid;
+    const VoxelGrid *grid = &d->voxels.renderer->voxels->grid;
     static const double middle[3] = {-1.3, 1.3, 1.3};
     int skin = 0, bare = 0;
     for (int i = 0; i < SIZE * SIZE * SIZE; i++) {
@@ -317,11 +318,11 @@ static void holes_are_closed_and_opened(void **state)
         material++;
     const int before = count_bits(&d->voxels);
     const double middle = d->found[4 * (EDGE / 2 * EDGE + EDGE / 2) + 3];
-    assert_true(render_param(d->voxels.render, material, "hole", closed, 3));
+    assert_true(renderer_param(d->voxels.renderer, material, "hole", closed, 3));
     read_found(d);
     const int full = count_bits(&d->voxels);
     assert_true(d->found[4 * (EDGE / 2 * EDGE + EDGE / 2) + 3] < middle - .1);
-    assert_true(render_param(d->voxels.render, material, "hole", open, 3));
+    assert_true(renderer_param(d->voxels.renderer, material, "hole", open, 3));
     read_found(d);
     print_message("%d voxels, %d when holes are closed\n", before, full);
     assert_true(full > before + 300);

@@ -58,12 +58,12 @@ static void remove_shell(const ShellFile *shell)
 /* All as surfaces, by compute where that is for them, or by the rasteriser. */
 static uint32_t *draw_surfaces(FrameVoxelsDrawn *d, bool compute)
 {
-    FrameVoxels *voxels = d->render->voxels;
-    for (int i = 0; i < d->render->gpu_scene.place_count; i++)
-        voxels->waves[i] = compute ? voxel_bodies_surface(d->render, i) : 0;
+    FrameVoxels *voxels = d->renderer->voxels;
+    for (int i = 0; i < d->renderer->gpu_scene.place_count; i++)
+        voxels->waves[i] = compute ? voxel_bodies_surface(d->renderer, i) : 0;
     voxels->wave_count = 0;
     voxels->drawn = false;
-    assert_true(render_frame(d->render));
+    assert_true(renderer_frame(d->renderer));
     return frame_voxels_level(d, 0);
 }
 
@@ -101,14 +101,14 @@ static void fine_surfaces_are_the_rasterisers(void **state)
             FrameVoxelsDrawn d = frame_voxels_drawn(scenes[i].objects, sizes[k]);
             uint32_t *fine = draw_surfaces(&d, true);
             int taken = 0;
-            for (int place = 0; place < d.render->gpu_scene.place_count; place++)
-                taken += d.render->voxels->waves[place] == VOXELS_FINE;
+            for (int place = 0; place < d.renderer->gpu_scene.place_count; place++)
+                taken += d.renderer->voxels->waves[place] == VOXELS_FINE;
             uint32_t *drawn = draw_surfaces(&d, false);
             const int all = count_bits(&d, drawn, NULL), more = count_bits(&d, fine, drawn),
                       less = count_bits(&d, drawn, fine);
             print_message("%d voxels, %d of %d places: %d full, %d more, %d less\n", sizes[k],
-                          taken, d.render->gpu_scene.place_count, all, more, less);
-            assert_true(taken == d.render->gpu_scene.place_count);
+                          taken, d.renderer->gpu_scene.place_count, all, more, less);
+            assert_true(taken == d.renderer->gpu_scene.place_count);
             assert_true(all > sizes[k] * sizes[k] / 4 && more < all / 100 && less < all / 100);
             free(fine);
             free(drawn);
@@ -158,7 +158,7 @@ static void nothing_gets_between_triangles(void **state)
         FrameVoxelsDrawn d = frame_voxels_drawn(text, SIZE);
         free(d.words);
         d.words = draw_surfaces(&d, true);
-        assert_int_equal(d.render->voxels->waves[0], VOXELS_FINE);
+        assert_int_equal(d.renderer->voxels->waves[0], VOXELS_FINE);
         flood(&d);
         const int full = count_bits(&d, d.words, NULL), edge = SIZE - AROUND;
         print_message("turn %d: %d full\n", (int)i, full);
@@ -187,7 +187,7 @@ static void what_is_large_is_drawn(void **state)
          false}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         FrameVoxelsDrawn d = frame_voxels_drawn(cases[i].object, SIZE);
-        assert_int_equal(voxel_bodies_surface(d.render, 0), cases[i].fine ? VOXELS_FINE : 0);
+        assert_int_equal(voxel_bodies_surface(d.renderer, 0), cases[i].fine ? VOXELS_FINE : 0);
         frame_voxels_forget(&d);
     }
 }

@@ -33,7 +33,7 @@ typedef struct {
     MatcDocument *document;
     Scene *scene;
     GlContext *gl;
-    Render *render;
+    Renderer *renderer;
     double radius;
 } Place;
 
@@ -56,16 +56,17 @@ static Place place_of(int size)
              "-.1] } }\n%s",
              WIDE, HIGH, size, mesh);
     p.scene = frame_scene(text, &p.options, &p.document);
-    p.render = render_open(p.gl, &(RenderOptions){.compile = &p.options, .view = "voxels"});
-    assert_true(p.render && render_scene(p.render, p.scene) && render_frame(p.render));
-    const VoxelGrid *grid = &p.render->voxels->grid;
+    p.renderer = renderer_open(p.gl, &(RendererOptions){.compile = &p.options, .view = "voxels"});
+    assert_true(p.renderer && renderer_set_scene(p.renderer, p.scene) &&
+                renderer_frame(p.renderer));
+    const VoxelGrid *grid = &p.renderer->voxels->grid;
     p.radius = .25 * grid->edge * (grid->size - 2);
     return p;
 }
 
 static void forget(Place *p)
 {
-    render_close(p->render);
+    renderer_close(p->renderer);
     frame_forget(p->scene, p->document);
     gl_close(p->gl);
 }
@@ -100,7 +101,7 @@ static void make_points(const Place *p)
             continue;
         for (int k = 0, away = reference_dot(hit.facet, ray.way) > 0; k < 3; k++)
             hit.facet[k] *= away ? -1 : 1;
-        voxel_points_set(&points, i, &p->render->voxels->grid, hit.world, hit.facet);
+        voxel_points_set(&points, i, &p->renderer->voxels->grid, hit.world, hit.facet);
         truth[i] = open_by_rays(p, &tracer, &hit, i);
     }
     reference_close(&tracer);
@@ -109,12 +110,12 @@ static void make_points(const Place *p)
 static void by_voxels(const Place *p, double off)
 {
     VoxelPointsPass pass;
-    if (!voxel_points_open(p->render, &points, (const char *[2]){voxel_points_ray, NULL}, &pass))
+    if (!voxel_points_open(p->renderer, &points, (const char *[2]){voxel_points_ray, NULL}, &pass))
         fail_msg("%s", p->gl->error);
-    voxel_points_run(p->render, &pass, (float)(p->radius / p->render->voxels->grid.edge),
+    voxel_points_run(p->renderer, &pass, (float)(p->radius / p->renderer->voxels->grid.edge),
                      (float)off);
     assert_true(framebuffer_read(p->gl, &pass.target, 0, said[0]));
-    voxel_points_close(p->render, &pass);
+    voxel_points_close(p->renderer, &pass);
 }
 
 typedef struct {
@@ -141,14 +142,14 @@ static Result compare(void)
 /* Bodies are surfaces from now on. */
 static void make_surfaces(Place *p)
 {
-    FrameVoxels *voxels = p->render->voxels;
-    for (int i = 0; i < p->render->gpu_scene.place_count; i++) {
+    FrameVoxels *voxels = p->renderer->voxels;
+    for (int i = 0; i < p->renderer->gpu_scene.place_count; i++) {
         assert_true(voxel_bodies_is_body(voxels, i));
-        voxels->waves[i] = voxel_bodies_surface(p->render, i);
+        voxels->waves[i] = voxel_bodies_surface(p->renderer, i);
     }
     voxels->wave_count = 0;
     voxels->drawn = false;
-    assert_true(render_frame(p->render));
+    assert_true(renderer_frame(p->renderer));
 }
 
 /* Off the surface, in voxels; 0: as voxelStart has it. */

@@ -5,7 +5,7 @@
 #include "runtime/tessellate/scene_solid.h"
 #include "tests/test.h"
 #include "runtime/indirect/voxels/voxels.h"
-#include "runtime/render/render.h"
+#include "runtime/renderer/renderer.h"
 #include "tests/frame/frame_calls.h"
 #include "tests/frame/frame_voxels.h"
 #include <math.h>
@@ -26,7 +26,7 @@ typedef struct {
 /* Triangles of objects of one sort. */
 static Triangles triangles_of(const FrameVoxelsDrawn *d, bool sheets)
 {
-    const VoxelGrid *grid = &d->render->voxels->grid;
+    const VoxelGrid *grid = &d->renderer->voxels->grid;
     Triangles made = {.count = 0};
     made.corners = malloc(sizeof *made.corners * 8192);
     made.owners = malloc(sizeof *made.owners * 8192);
@@ -34,7 +34,7 @@ static Triangles triangles_of(const FrameVoxelsDrawn *d, bool sheets)
         const SceneObject *object = &d->scene->objects[i];
         const double *m = object->world_from_local.m;
         Shape shape;
-        if (voxel_bodies_is_body(d->render->voxels, d->render->gpu_scene.place_of[i]) == sheets)
+        if (voxel_bodies_is_body(d->renderer->voxels, d->renderer->gpu_scene.place_of[i]) == sheets)
             continue;
         assert_true(scene_solid(object, &shape));
         for (int k = 0; k < shape.index_count; k++) {
@@ -164,13 +164,13 @@ static Count compare(const FrameVoxelsDrawn *d, const Expected *e)
 
 static void make_surfaces(FrameVoxelsDrawn *d)
 {
-    FrameVoxels *voxels = d->render->voxels;
-    for (int i = 0; i < d->render->gpu_scene.place_count; i++)
-        voxels->waves[i] = voxel_bodies_surface(d->render, i);
+    FrameVoxels *voxels = d->renderer->voxels;
+    for (int i = 0; i < d->renderer->gpu_scene.place_count; i++)
+        voxels->waves[i] = voxel_bodies_surface(d->renderer, i);
     voxels->wave_count = 0;
     voxels->drawn = false;
-    assert_true(voxel_bodies_has(voxels, &d->render->gpu_scene, VOXELS_FINE) &&
-                render_frame(d->render));
+    assert_true(voxel_bodies_has(voxels, &d->renderer->gpu_scene, VOXELS_FINE) &&
+                renderer_frame(d->renderer));
     free(d->words);
     d->words = frame_voxels_level(d, 0);
 }
@@ -221,8 +221,8 @@ static void levels_are_those_below(void **state)
         FrameVoxelsDrawn d = frame_voxels_drawn(FRAME_VOXELS_BODIES FRAME_VOXELS_SHEETS, sizes[i]);
         const int words = d.size / 32;
         uint32_t *below = frame_voxels_level(&d, 0);
-        assert_int_equal(d.size >> (d.render->voxels->levels - 1), 1);
-        for (int level = 1; level < d.render->voxels->levels; level++) {
+        assert_int_equal(d.size >> (d.renderer->voxels->levels - 1), 1);
+        for (int level = 1; level < d.renderer->voxels->levels; level++) {
             uint32_t *above = frame_voxels_level(&d, level), any = 0;
             const int edge = d.size >> level;
             for (int at = 0; at < edge * edge * words; at++) {
@@ -266,7 +266,7 @@ static void bricks_are_those_of_the_map(void **state)
                 wanted[2 * brick + z / 2 % 2] |= 1u << (x % 4 + 4 * (y % 4) + 16 * (z % 2));
             }
         }
-        d.gl->BindBuffer(GL_TEXTURE_BUFFER, d.render->voxels->buffer);
+        d.gl->BindBuffer(GL_TEXTURE_BUFFER, d.renderer->voxels->buffer);
         d.gl->GetBufferSubData(GL_TEXTURE_BUFFER, 0,
                                (GLsizeiptr)((size_t)count * 2 * sizeof *bricks), bricks);
         d.gl->BindBuffer(GL_TEXTURE_BUFFER, 0);
@@ -325,18 +325,18 @@ static void what_moves_is_made_again(void **state)
     FrameVoxelsDrawn d = frame_voxels_drawn(FRAME_VOXELS_BODIES FRAME_VOXELS_SHEETS, 64);
     const SceneMatrix kept = d.scene->objects[0].world_from_local;
     frame_count_calls(d.gl);
-    assert_true(render_frame(d.render));
+    assert_true(renderer_frame(d.renderer));
     assert_int_equal(frame_calls.made + frame_calls.written, 0);
     d.scene->objects[0].world_from_local.m[12] += 2;
-    assert_true(render_changed_objects(d.render, 0, 1) && render_frame(d.render));
+    assert_true(renderer_changed_objects(d.renderer, 0, 1) && renderer_frame(d.renderer));
     uint32_t *moved = frame_voxels_level(&d, 0);
     assert_true(memcmp(moved, d.words, sizeof *moved * 64 * 64 * 2) != 0);
-    assert_true(render_scene(d.render, d.scene) && render_frame(d.render));
+    assert_true(renderer_set_scene(d.renderer, d.scene) && renderer_frame(d.renderer));
     uint32_t *anew = frame_voxels_level(&d, 0);
     assert_memory_equal(moved, anew, sizeof *anew * 64 * 64 * 2);
     free(anew);
     d.scene->objects[0].world_from_local = kept;
-    assert_true(render_changed_objects(d.render, 0, 1) && render_frame(d.render));
+    assert_true(renderer_changed_objects(d.renderer, 0, 1) && renderer_frame(d.renderer));
     uint32_t *back = frame_voxels_level(&d, 0);
     assert_memory_equal(back, d.words, sizeof *back * 64 * 64 * 2);
     free(back);

@@ -33,14 +33,15 @@ static void read_text(const char *keys, int times, char text[TEXT])
 }
 
 /* Means over so many times as many pixels along each axis. */
-static float *draw(GlContext *gl, Render *render, int times, const char *keys)
+static float *draw(GlContext *gl, Renderer *renderer, int times, const char *keys)
 {
     const MatcOptions options = frame_exact_options();
     char text[TEXT];
     MatcDocument *document;
     read_text(keys, times, text);
     Scene *scene = frame_scene(text, &options, &document);
-    float *rgba = frame_floats_by(gl, render, scene), *mean = calloc(4 * EDGE * EDGE, sizeof *mean);
+    float *rgba = frame_floats_by(gl, renderer, scene),
+          *mean = calloc(4 * EDGE * EDGE, sizeof *mean);
     assert_true(mean && scene->width == EDGE * times && scene->height == EDGE * times);
     for (int i = 0; i < 4 * EDGE * times * EDGE * times; i++) {
         const int lane = i % 4, x = i / 4 % (EDGE * times) / times,
@@ -100,13 +101,13 @@ static void try_cases(int times, const Case *cases, int count)
 {
     const MatcOptions options = frame_exact_options();
     GlContext *gl = frame_context();
-    Render *render =
-        render_open(gl, &(RenderOptions){.compile = &options, .view = "light", .deep = true});
-    float *direct = draw(gl, render, times, "");
+    Renderer *renderer =
+        renderer_open(gl, &(RendererOptions){.compile = &options, .view = "light", .deep = true});
+    float *direct = draw(gl, renderer, times, "");
     for (int i = 0; i < count; i++) {
         ReferencePicture picture;
         assert_true(reference_picture_read(cases[i].name, &picture));
-        float *all = draw(gl, render, times, cases[i].keys);
+        float *all = draw(gl, renderer, times, cases[i].keys);
         const Result result = compare(&picture, all, direct);
         print_message("%s, %.*s: %.4f off, %.2f %% more in the mean, of %d blocks\n", cases[i].name,
                       (int)strcspn(cases[i].keys, "\n"), cases[i].keys, result.off,
@@ -117,7 +118,7 @@ static void try_cases(int times, const Case *cases, int count)
         reference_picture_free(&picture);
     }
     free(direct);
-    render_close(render);
+    renderer_close(renderer);
     gl_close(gl);
 }
 

@@ -73,15 +73,15 @@ static void tiles_are_as_the_whole(void **state)
         MatcDocument *document;
         double most;
         Scene *scene = make_scene(cases[i].keys, CAMERA, &options, &document);
-        RenderOptions render = {
+        RendererOptions renderer = {
             .compile = &options, .view = cases[i].view, .samples = cases[i].samples, .deep = true};
-        float *whole = frame_floats(gl, scene, &render);
-        memcpy(render.tile, (int[]){50, 38}, sizeof render.tile);
-        Render *tiled = render_open(gl, &render);
-        assert_true(tiled && render_scene(tiled, scene) && render_tile_width(tiled) <= 50 &&
-                    render_tile_height(tiled) <= 38);
-        render_close(tiled);
-        float *parts = frame_tiles(gl, scene, &render);
+        float *whole = frame_floats(gl, scene, &renderer);
+        memcpy(renderer.tile, (int[]){50, 38}, sizeof renderer.tile);
+        Renderer *tiled = renderer_open(gl, &renderer);
+        assert_true(tiled && renderer_set_scene(tiled, scene) && renderer_tile_width(tiled) <= 50 &&
+                    renderer_tile_height(tiled) <= 38);
+        renderer_close(tiled);
+        float *parts = frame_tiles(gl, scene, &renderer);
         const int count = apart(whole, parts, &most);
         print_message("%s, %s: %d pixels of tiles differ, by %.3f at most\n", cases[i].keys,
                       cases[i].view, count, most);
@@ -117,16 +117,16 @@ static void what_looks_far_is_whole(void **state)
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         MatcDocument *document;
         Scene *scene = make_scene(cases[i].keys, cases[i].camera, &options, &document);
-        Render *render = render_open(
-            gl, &(RenderOptions){.compile = &options, .view = "light", .tile = {50, 38}});
-        assert_true(render && render_scene(render, scene));
-        assert_int_equal(render_tile_height(render) == HEIGHT, cases[i].whole);
+        Renderer *renderer = renderer_open(
+            gl, &(RendererOptions){.compile = &options, .view = "light", .tile = {50, 38}});
+        assert_true(renderer && renderer_set_scene(renderer, scene));
+        assert_int_equal(renderer_tile_height(renderer) == HEIGHT, cases[i].whole);
         if (!strcmp(cases[i].keys, "method: hybrid") && !cases[i].whole) {
             scene->camera.position[1] = -.9;
-            assert_true(render_changed(render, RENDER_CAMERA));
-            assert_int_equal(render_tile_height(render), HEIGHT);
+            assert_true(renderer_changed(renderer, RENDERER_CAMERA));
+            assert_int_equal(renderer_tile_height(renderer), HEIGHT);
         }
-        render_close(render);
+        renderer_close(renderer);
         frame_forget(scene, document);
     }
     gl_close(gl);

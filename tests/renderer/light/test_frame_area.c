@@ -23,7 +23,7 @@ static double sent(GlContext *gl, const char *camera, const char *light, const c
              "diffuse: 1 } }]\n",
              SIDE, SIDE, camera, light, tilt);
     Scene *scene = frame_scene(text, &options, &document);
-    float *rgba = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "light"});
+    float *rgba = frame_floats(gl, scene, &(RendererOptions){.compile = &options, .view = "light"});
     const double value = (double)rgba[MIDDLE];
     free(rgba);
     frame_forget(scene, document);

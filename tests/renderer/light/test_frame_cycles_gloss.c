@@ -137,7 +137,7 @@ static void draw(const char *from, const char *to, Judged judged[BALLS])
     MatcDocument *document;
     Scene *scene = open_scene(from, to, &options, &document);
     float *light = frame_floats(
-        gl, scene, &(RenderOptions){.compile = &options, .view = "light", .no_shadows = true});
+        gl, scene, &(RendererOptions){.compile = &options, .view = "light", .no_shadows = true});
     assert_true(reference_picture_read("cycles/principled", &picture));
     memset(judged, 0, BALLS * sizeof *judged);
     for (int i = 0; i < PIXELS; i++) {

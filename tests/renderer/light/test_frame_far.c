@@ -51,11 +51,11 @@ static void close_hall(Hall *h)
     frame_forget(h->scene, h->document);
 }
 
-static Render *open_render(const Hall *h, const RenderOptions *options)
+static Renderer *open_renderer(const Hall *h, const RendererOptions *options)
 {
-    Render *render = render_open(h->gl, options);
-    assert_true(render && render_scene(render, h->scene));
-    return render;
+    Renderer *renderer = renderer_open(h->gl, options);
+    assert_true(renderer && renderer_set_scene(renderer, h->scene));
+    return renderer;
 }
 
 /* -- memory */
@@ -78,27 +78,27 @@ static void buffers_are_counted(void **state)
     Hall h = open_hall();
     driver_buffer_data = h.gl->BufferData;
     h.gl->BufferData = count_buffer_data;
-    Render *all = open_render(&h, &(RenderOptions){.compile = &h.compile, .lights = "all"});
-    const int others = render_pixel_bytes(all);
+    Renderer *all = open_renderer(&h, &(RendererOptions){.compile = &h.compile, .lights = "all"});
+    const int others = renderer_pixel_bytes(all);
     const size_t before = storage_bytes;
-    render_close(all);
+    renderer_close(all);
     for (size_t i = 0; i < sizeof memories / sizeof *memories; i++) {
         storage_bytes = 0;
-        Render *render =
-            open_render(&h, &(RenderOptions){.compile = &h.compile, .memory = memories[i]});
+        Renderer *renderer =
+            open_renderer(&h, &(RendererOptions){.compile = &h.compile, .memory = memories[i]});
         const size_t pixels =
-            (size_t)render_tile_width(render) * (size_t)render_tile_height(render);
+            (size_t)renderer_tile_width(renderer) * (size_t)renderer_tile_height(renderer);
         const size_t bytes = storage_bytes - before;
         assert_true(bytes > 2 * pixels); /* they are there */
-        assert_int_equal(render_pixel_bytes(render), others + 4);
-        if (render_tile_height(render) > RENDER_TILE_LEAST)
-            assert_true(others * pixels + bytes <= (memories[i] ? memories[i] : RENDER_MEMORY));
-        char *graph = frame_graph(render), said[128];
+        assert_int_equal(renderer_pixel_bytes(renderer), others + 4);
+        if (renderer_tile_height(renderer) > RENDERER_TILE_LEAST)
+            assert_true(others * pixels + bytes <= (memories[i] ? memories[i] : RENDERER_MEMORY));
+        char *graph = frame_graph(renderer), said[128];
         snprintf(said, sizeof said, "\nfar two buffers 4: %zu bytes for blocks of 32 x 32\n",
                  bytes);
         assert_non_null(strstr(graph, said));
         free(graph);
-        render_close(render);
+        renderer_close(renderer);
     }
     close_hall(&h);
 }
@@ -132,7 +132,7 @@ static void drivers_with_less(void **state)
                  {GL_MAX_COMPUTE_TEXTURE_IMAGE_UNITS, 17, false},
                  {GL_MAX_COMPUTE_TEXTURE_IMAGE_UNITS, 18, true}};
     Hall h = open_hall();
-    RenderOptions options = {.compile = &h.compile, .view = "light", .lights = "all"};
+    RendererOptions options = {.compile = &h.compile, .view = "light", .lights = "all"};
     float *all = frame_floats(h.gl, h.scene, &options);
     driver_get = h.gl->GetIntegerv;
     h.gl->GetIntegerv = get_less;
@@ -149,14 +149,14 @@ static void drivers_with_less(void **state)
         /* numbers of a block are 4 * 43 * 4 floats; three blocks are across, not quite three
          * along */
         3 * 3 * 2752 - 1;
-    Render *render = open_render(&h, &options);
-    assert_int_equal(render_tile_height(render), 2 * 32);
-    render_close(render);
+    Renderer *renderer = open_renderer(&h, &options);
+    assert_int_equal(renderer_tile_height(renderer), 2 * 32);
+    renderer_close(renderer);
     scarce = GL_MAX_TEXTURE_BUFFER_SIZE;
     least = 3 * 3 * (64 + 4 * (17 + 16)) - 1; /* words of a block, more than its 172 texels */
-    render = open_render(&h, &options);
-    assert_int_equal(render_tile_height(render), 2 * 32);
-    render_close(render);
+    renderer = open_renderer(&h, &options);
+    assert_int_equal(renderer_tile_height(renderer), 2 * 32);
+    renderer_close(renderer);
     free(all);
     close_hall(&h);
 }
@@ -180,9 +180,9 @@ static double most_apart(const float *a, const float *b, int *differ)
 }
 
 /* The picture equals that of a new renderer, bit for bit. */
-static void expect_as_new(const Hall *h, Render *render, const RenderOptions *options)
+static void expect_as_new(const Hall *h, Renderer *renderer, const RendererOptions *options)
 {
-    float *changed = frame_change_next(render);
+    float *changed = frame_change_next(renderer);
     GlContext *gl = frame_context();
     float *new = frame_floats(gl, h->scene, options);
     assert_memory_equal(changed, new, PIXELS * 4 * sizeof *new);
@@ -196,21 +196,21 @@ static void changes(void **state)
 {
     (void)state;
     Hall h = open_hall();
-    const RenderOptions options = {.compile = &h.compile, .view = "light", .lights = "bounded"};
-    Render *render = open_render(&h, &options);
-    float *before = frame_change_next(render);
+    const RendererOptions options = {.compile = &h.compile, .view = "light", .lights = "bounded"};
+    Renderer *renderer = open_renderer(&h, &options);
+    float *before = frame_change_next(renderer);
     h.scene->camera.position[0] += 1;
-    assert_true(render_changed(render, RENDER_CAMERA));
-    expect_as_new(&h, render, &options);
+    assert_true(renderer_changed(renderer, RENDERER_CAMERA));
+    expect_as_new(&h, renderer, &options);
     h.scene->lights[3].position[2] += 1;
     h.scene->lights[LIGHTS - 1].light[1] *= 90;
-    assert_true(render_changed(render, RENDER_LIGHTS));
-    expect_as_new(&h, render, &options);
-    float *after = frame_change_next(render);
+    assert_true(renderer_changed(renderer, RENDERER_LIGHTS));
+    expect_as_new(&h, renderer, &options);
+    float *after = frame_change_next(renderer);
     assert_memory_not_equal(before, after, PIXELS * 4 * sizeof *after);
     free(before);
     free(after);
-    render_close(render);
+    renderer_close(renderer);
     close_hall(&h);
 }
 
@@ -232,7 +232,7 @@ static void tiles(void **state)
         20,
         1};
     Hall h = open_lamps(&wall);
-    RenderOptions options = {.compile = &h.compile, .view = "light", .lights = "all"};
+    RendererOptions options = {.compile = &h.compile, .view = "light", .lights = "all"};
     int differ;
     float *all = frame_floats(h.gl, h.scene, &options);
     options.lights = "bounded";
@@ -263,7 +263,7 @@ static void layouts(void **state)
         int differ;
         h.compile.layout = cases[i].layout;
         h.gl->hardware = cases[i].hardware;
-        RenderOptions options = {.compile = &h.compile, .view = "light", .lights = "all"};
+        RendererOptions options = {.compile = &h.compile, .view = "light", .lights = "all"};
         float *all = frame_floats(h.gl, h.scene, &options);
         options.lights = "bounded";
         float *drawn = frame_floats(h.gl, h.scene, &options);
@@ -283,12 +283,12 @@ static void edges(void **state)
 {
     (void)state;
     Hall h = open_hall();
-    RenderOptions options = {
-        .compile = &h.compile, .deep = true, .edges = RENDER_EDGES_coverage, .lights = "all"};
+    RendererOptions options = {
+        .compile = &h.compile, .deep = true, .edges = RENDERER_EDGES_coverage, .lights = "all"};
     float *all = frame_floats(h.gl, h.scene, &options);
     options.lights = "bounded";
     float *drawn = frame_floats(h.gl, h.scene, &options);
-    options.edges = RENDER_EDGES_none;
+    options.edges = RENDERER_EDGES_none;
     float *hard = frame_floats(h.gl, h.scene, &options);
     int differ = 0, blended = 0;
     for (int i = 0; i < 4 * PIXELS; i++) {
@@ -324,7 +324,7 @@ static void sides_of_boxes(void **state)
         1};
     Hall h = open_lamps(&boxes);
     int differ;
-    RenderOptions options = {.compile = &h.compile, .view = "light", .lights = "all"};
+    RendererOptions options = {.compile = &h.compile, .view = "light", .lights = "all"};
     float *all = frame_floats(h.gl, h.scene, &options);
     options.lights = "bounded";
     float *drawn = frame_floats(h.gl, h.scene, &options);

@@ -2,7 +2,7 @@
  * reference in double; and far ones that are taken together, against all of them. */
 /* ctest: unsanitized */
 #include "tests/test.h"
-#include "runtime/frame/frame.h"
+#include "runtime/frame_graph/frame.h"
 #include "tests/frame/frame_compare.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame/frame_lamps.h"
@@ -93,9 +93,10 @@ static void every_light_counts(void **state)
         MatcDocument *document;
         char *text = text_of(cases[i].kinds, cases[i].kind_count, cases[i].count);
         Scene *scene = frame_scene(text, &options, &document);
-        float *rgba = frame_floats(
-            gl, scene,
-            &(RenderOptions){.compile = &options, .view = "light", .fragment = cases[i].fragment});
+        float *rgba =
+            frame_floats(gl, scene,
+                         &(RendererOptions){
+                             .compile = &options, .view = "light", .fragment = cases[i].fragment});
         compare(scene, &options, rgba, &spread);
         assert_true(is_close(cases[i].name, 2e-6, &spread));
         free(rgba);
@@ -287,7 +288,7 @@ static void far_lights_are_within_the_bound(void **state)
         int apart;
         Scene *scene = frame_scene(text, &options, &document);
         const bool linear = !strcmp(c->name, halves);
-        RenderOptions drawn = {
+        RendererOptions drawn = {
             .compile = &options, .view = "light", .lights = "all", .linear = linear};
         float *all = frame_floats(gl, scene, &drawn);
         drawn.lights = "bounded";

@@ -57,9 +57,9 @@ static Count compare(GlContext *gl, const char *text,
     MatcDocument *document;
     Count count = {0};
     Scene *scene = frame_scene(text, &options, &document);
-    float *with = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "light"});
+    float *with = frame_floats(gl, scene, &(RendererOptions){.compile = &options, .view = "light"});
     float *without = frame_floats(
-        gl, scene, &(RenderOptions){.compile = &options, .view = "light", .no_shadows = true});
+        gl, scene, &(RendererOptions){.compile = &options, .view = "light", .no_shadows = true});
     Tracer tracer = reference_open(scene);
     for (int i = 0; i < PIXELS; i++)
         if (without[4 * i] > 1e-7f)
@@ -212,10 +212,11 @@ static char *graph_of(GlContext *gl, const char *switched, bool none)
     char text[4096];
     snprintf(text, sizeof text, VIEW LAMPS SHADOW_SCENE_GROUND SHADOW_SCENE_THINGS(""), switched);
     Scene *scene = frame_scene(text, &options, &document);
-    Render *render = render_open(gl, &(RenderOptions){.compile = &options, .no_shadows = none});
-    assert_true(render && render_scene(render, scene));
-    char *graph = frame_graph(render);
-    render_close(render);
+    Renderer *renderer =
+        renderer_open(gl, &(RendererOptions){.compile = &options, .no_shadows = none});
+    assert_true(renderer && renderer_set_scene(renderer, scene));
+    char *graph = frame_graph(renderer);
+    renderer_close(renderer);
     frame_forget(scene, document);
     return graph;
 }

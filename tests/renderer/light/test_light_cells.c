@@ -182,7 +182,7 @@ static const double eye[3] = {0, -.6, .8}, up[3] = {0, .8, .6};
 typedef struct {
     GlContext *gl;
     MatcOptions options;
-    Render *render;
+    Renderer *renderer;
     MatcLayout *layout;
     char text[TEXT];
     float *rgba;
@@ -501,7 +501,7 @@ static void slots_are_lit_as_defined(void **state)
     for (int light = 0; light < LIGHTS; light++) {
         MatcDocument *document;
         Scene *scene = frame_scene(scene_text(rig, light), &rig->options, &document);
-        rig->rgba = frame_floats_by(rig->gl, rig->render, scene);
+        rig->rgba = frame_floats_by(rig->gl, rig->renderer, scene);
         for (int row = 0; row < ROWS; row++) {
             char where[128];
             if (!rows[row].common)
@@ -547,13 +547,14 @@ int main(void)
     static Rig rig;
     rig.gl = frame_context();
     open_layout(&rig);
-    rig.render = render_open(rig.gl, &(RenderOptions){.compile = &rig.options, .view = "light"});
+    rig.renderer =
+        renderer_open(rig.gl, &(RendererOptions){.compile = &rig.options, .view = "light"});
     const struct CMUnitTest tests[] = {cmocka_unit_test(no_cell_is_empty),
                                        cmocka_unit_test(every_slot_has_a_row),
                                        cmocka_unit_test_prestate(rows_change_their_slot, &rig),
                                        cmocka_unit_test_prestate(slots_are_lit_as_defined, &rig)};
     const int result = cmocka_run_group_tests(tests, NULL, NULL);
-    render_close(rig.render);
+    renderer_close(rig.renderer);
     gl_close(rig.gl);
     matc_layout_free(rig.layout);
     return result;

@@ -57,7 +57,8 @@ static float *draw(const Rig *rig, const MatcOptions *options, const char *mater
              "objects: [{ object: Sphere, material: { material: Principled, %s } }]\n",
              SIDE, SIDE, material);
     Scene *scene = frame_scene(text, options, &document);
-    float *rgba = frame_floats(rig->gl, scene, &(RenderOptions){.compile = options, .view = view});
+    float *rgba =
+        frame_floats(rig->gl, scene, &(RendererOptions){.compile = options, .view = view});
     frame_forget(scene, document);
     return rgba;
 }

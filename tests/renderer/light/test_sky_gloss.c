@@ -181,8 +181,8 @@ static void draw_ball(GlContext *gl, const char *material, const char *sky, floa
                   "sky: %s\n",
              material, sky);
     Scene *scene = frame_scene(text, &options, &document);
-    *light = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "light"});
-    *normals = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "normal"});
+    *light = frame_floats(gl, scene, &(RendererOptions){.compile = &options, .view = "light"});
+    *normals = frame_floats(gl, scene, &(RendererOptions){.compile = &options, .view = "normal"});
     frame_forget(scene, document);
 }
 

@@ -4,7 +4,7 @@
 /* ctest: seconds=20 */
 #include "tests/test.h"
 #include "compiler/evaluate.h"
-#include "runtime/render/render.h"
+#include "runtime/renderer/renderer.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/vectors.h"
 #include <math.h>
@@ -47,13 +47,13 @@ static void forget(Read *r)
 
 static float *draw(GlContext *gl, const Read *r, const char *view, bool fragment)
 {
-    Render *render = render_open(
-        gl, &(RenderOptions){.compile = &r->options, .view = view, .fragment = fragment});
+    Renderer *renderer = renderer_open(
+        gl, &(RendererOptions){.compile = &r->options, .view = view, .fragment = fragment});
     float *rgba = calloc(PIXELS, 4 * sizeof *rgba);
-    if (!render || !rgba || !render_scene(render, r->scene) || !render_frame(render) ||
-        !render_read(render, rgba))
+    if (!renderer || !rgba || !renderer_set_scene(renderer, r->scene) ||
+        !renderer_frame(renderer) || !renderer_read(renderer, rgba))
         fail_msg("%s", gl->error);
-    render_close(render);
+    renderer_close(renderer);
     return rgba;
 }
 

@@ -12,7 +12,8 @@ static float *draw(GlContext *gl, const char *text, int samples, bool fragment)
     const MatcOptions options = frame_exact_options();
     Scene *scene = frame_scene(text, &options, &document);
     float *rgba = frame_floats(
-        gl, scene, &(RenderOptions){.compile = &options, .samples = samples, .fragment = fragment});
+        gl, scene,
+        &(RendererOptions){.compile = &options, .samples = samples, .fragment = fragment});
     frame_forget(scene, document);
     return rgba;
 }
@@ -107,9 +108,9 @@ static void parts_have_the_picture_s_backdrop(void **state)
                  "objects: [{ object: Box, material: { material: Phong, ambient: .5 } }]\n",
                  WIDTH, HEIGHT, kinds[kind]);
         Scene *scene = frame_scene(text, &options, &document);
-        float *whole = frame_floats(gl, scene, &(RenderOptions){.compile = &options});
+        float *whole = frame_floats(gl, scene, &(RendererOptions){.compile = &options});
         float *parts =
-            frame_tiles(gl, scene, &(RenderOptions){.compile = &options, .tile = {24, 24}});
+            frame_tiles(gl, scene, &(RendererOptions){.compile = &options, .tile = {24, 24}});
         for (int i = 0; i < 4 * WIDTH * HEIGHT; i++)
             assert_true(fabsf(whole[i] - parts[i]) < .51f / 255);
         free(whole);

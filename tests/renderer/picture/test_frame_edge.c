@@ -160,9 +160,9 @@ static void edges_are_coverage(void **state)
         for (int edges = 0; edges < 2; edges++)
             pictures[edges] = frame_floats(
                 gl, scene,
-                &(RenderOptions){.compile = &options,
-                                 .deep = true,
-                                 .edges = edges ? RENDER_EDGES_coverage : RENDER_EDGES_none});
+                &(RendererOptions){.compile = &options,
+                                   .deep = true,
+                                   .edges = edges ? RENDERER_EDGES_coverage : RENDERER_EDGES_none});
         Tracer tracer = reference_open(scene);
         compare(&cases[k], &tracer, pictures, &band);
         const double none = sqrt(band.sum[0] / band.count),
@@ -199,9 +199,9 @@ static void hidden_lines_are_not_seen(void **state)
     MatcDocument *document;
     Scene *scene = frame_scene(text, &options, &document);
     GlContext *gl = frame_context();
-    float *none = frame_floats(gl, scene, &(RenderOptions){.compile = &options});
+    float *none = frame_floats(gl, scene, &(RendererOptions){.compile = &options});
     float *coverage = frame_floats(
-        gl, scene, &(RenderOptions){.compile = &options, .edges = RENDER_EDGES_coverage});
+        gl, scene, &(RendererOptions){.compile = &options, .edges = RENDERER_EDGES_coverage});
     assert_memory_equal(none, coverage, (size_t)WIDTH * HEIGHT * 4 * sizeof *none);
     free(none);
     free(coverage);
@@ -218,17 +218,18 @@ static void tiles_and_light(void **state)
     Scene *scene = frame_scene(CAMERA "objects: [{ object: Sphere, " GLOWS("[8, 4, 2]") " }]\n",
                                &options, &document);
     GlContext *gl = frame_context();
-    RenderOptions choice = {.compile = &options, .edges = RENDER_EDGES_coverage, .linear = true};
+    RendererOptions choice = {
+        .compile = &options, .edges = RENDERER_EDGES_coverage, .linear = true};
     float *whole = frame_floats(gl, scene, &choice), *tile = calloc(64 * 64, 4 * sizeof *tile);
     choice.tile[0] = choice.tile[1] = 64;
-    Render *render = render_open(gl, &choice);
+    Renderer *renderer = renderer_open(gl, &choice);
     int apart = 0, between = 0;
-    assert_true(render && render_scene(render, scene) && tile);
-    assert_int_equal(render_tile_width(render), 64);
+    assert_true(renderer && renderer_set_scene(renderer, scene) && tile);
+    assert_int_equal(renderer_tile_width(renderer), 64);
     for (int y = 0; y < HEIGHT; y += 64)
         for (int x = 0; x < WIDTH; x += 64) {
-            render_move(render, x, y);
-            assert_true(render_frame(render) && render_read(render, tile));
+            renderer_set_tile(renderer, x, y);
+            assert_true(renderer_frame(renderer) && renderer_read(renderer, tile));
             for (int i = 0; i < 64 * 64; i++) {
                 const int at = (y + i / 64) * WIDTH + x + i % 64;
                 if (y + i / 64 >= HEIGHT || x + i % 64 >= WIDTH)
@@ -242,7 +243,7 @@ static void tiles_and_light(void **state)
         }
     assert_true(between > 100);
     assert_true(apart <= 3); /* one pixel in 100 of the edge */
-    render_close(render);
+    renderer_close(renderer);
     free(whole);
     free(tile);
     gl_close(gl);
@@ -258,23 +259,24 @@ static void edges_move(void **state)
     Scene *scene = frame_scene(
         CAMERA "objects: [{ object: Box, " GLOWS("1") " }, { object: Sphere, " GLOWS(".5") " }]\n",
         &options, &document);
-    const RenderOptions choice = {
-        .compile = &options, .edges = RENDER_EDGES_coverage, .linear = true};
+    const RendererOptions choice = {
+        .compile = &options, .edges = RENDERER_EDGES_coverage, .linear = true};
     GlContext *gl = frame_context();
-    Render *render = render_open(gl, &choice);
+    Renderer *renderer = renderer_open(gl, &choice);
     float *seen = calloc((size_t)WIDTH * HEIGHT, 4 * sizeof *seen);
-    assert_true(render && render_scene(render, scene) && seen);
+    assert_true(renderer && renderer_set_scene(renderer, scene) && seen);
     for (int change = 0; change < 2; change++) {
         scene->objects[1].world_from_local.m[12] = 1.5 * change;
         scene->camera.position[0] += .125;
-        assert_true(render_changed(render, RENDER_CAMERA) && render_changed_objects(render, 1, 1));
+        assert_true(renderer_changed(renderer, RENDERER_CAMERA) &&
+                    renderer_changed_objects(renderer, 1, 1));
         float *expected = frame_floats(gl, scene, &choice);
-        assert_true(render_frame(render) && render_read(render, seen));
+        assert_true(renderer_frame(renderer) && renderer_read(renderer, seen));
         assert_memory_equal(expected, seen, (size_t)WIDTH * HEIGHT * 4 * sizeof *seen);
         free(expected);
     }
     free(seen);
-    render_close(render);
+    renderer_close(renderer);
     gl_close(gl);
     frame_forget(scene, document);
 }
@@ -365,25 +367,25 @@ static void reason(void **state)
     Scene *scene = frame_scene("objects: []\n", &options, &document);
     GlContext *gl = frame_context();
     for (int i = 0; i < 4; i++) {
-        const RenderOptions how = {.compile = &options,
-                                   .edges = i & 1 ? RENDER_EDGES_coverage : RENDER_EDGES_none,
-                                   .fragment = i >> 1};
-        Render *render = render_open(gl, &how);
-        assert_true(render && render_scene(render, scene));
-        char *graph = frame_graph(render);
+        const RendererOptions how = {.compile = &options,
+                                     .edges = i & 1 ? RENDERER_EDGES_coverage : RENDERER_EDGES_none,
+                                     .fragment = i >> 1};
+        Renderer *renderer = renderer_open(gl, &how);
+        assert_true(renderer && renderer_set_scene(renderer, scene));
+        char *graph = frame_graph(renderer);
         assert_int_equal(strstr(graph, "not run: it takes compute, which is off") != NULL, i == 3);
         free(graph);
-        render_close(render);
+        renderer_close(renderer);
     }
     const int major = gl->major, minor = gl->minor;
     gl->major = 3, gl->minor = 3;
-    Render *render =
-        render_open(gl, &(RenderOptions){.compile = &options, .edges = RENDER_EDGES_coverage});
-    assert_true(render && render_scene(render, scene));
-    char *graph = frame_graph(render);
+    Renderer *renderer = renderer_open(
+        gl, &(RendererOptions){.compile = &options, .edges = RENDERER_EDGES_coverage});
+    assert_true(renderer && renderer_set_scene(renderer, scene));
+    char *graph = frame_graph(renderer);
     assert_non_null(strstr(graph, "not run: it takes compute, which the driver lacks"));
     free(graph);
-    render_close(render);
+    renderer_close(renderer);
     gl->major = major, gl->minor = minor;
     gl_close(gl);
     frame_forget(scene, document);

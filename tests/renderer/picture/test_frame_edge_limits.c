@@ -16,13 +16,13 @@ enum { SIDE = 64, PIXELS = SIDE * SIDE };
 #define GLOWS(of) "material: { material: Phong, emissive: " of " }"
 #define CHECKERED GLOWS("{ map: Checker, input: { map: UVTransform, scaleU: 23, scaleV: 23 } }")
 
-static float *draw(GlContext *gl, const char *text, RenderEdges edges)
+static float *draw(GlContext *gl, const char *text, RendererEdges edges)
 {
     const MatcOptions options = frame_exact_options();
     MatcDocument *document;
     Scene *scene = frame_scene(text, &options, &document);
     float *rgba = frame_floats(
-        gl, scene, &(RenderOptions){.compile = &options, .edges = edges, .linear = true});
+        gl, scene, &(RendererOptions){.compile = &options, .edges = edges, .linear = true});
     frame_forget(scene, document);
     return rgba;
 }
@@ -30,7 +30,8 @@ static float *draw(GlContext *gl, const char *text, RenderEdges edges)
 /* How many values differ from a picture without blended edges. */
 static int count_blended(GlContext *gl, const char *text)
 {
-    float *none = draw(gl, text, RENDER_EDGES_none), *all = draw(gl, text, RENDER_EDGES_coverage);
+    float *none = draw(gl, text, RENDERER_EDGES_none),
+          *all = draw(gl, text, RENDERER_EDGES_coverage);
     int count = 0;
     for (int i = 0; i < 4 * PIXELS; i++)
         count += none[i] != all[i];
@@ -73,7 +74,7 @@ static void what_no_center_shows_blends_nothing(void **state)
  * through a pixel center, beside which a slanted face looks like an edge of its own. */
 static double worst_row(GlContext *gl, const char *text, const double line[2])
 {
-    float *rgba = draw(gl, text, RENDER_EDGES_coverage);
+    float *rgba = draw(gl, text, RENDERER_EDGES_coverage);
     double worst = 0;
     for (int y = 8; y < SIDE - 8; y++) {
         const double place = line[0] + line[1] * (y + .5);

@@ -29,26 +29,26 @@ static double encoded(double c)
 }
 
 /* From tiles, each read by itself, from malloc. */
-static float *draw(GlContext *gl, const Scene *scene, const RenderOptions *options)
+static float *draw(GlContext *gl, const Scene *scene, const RendererOptions *options)
 {
-    Render *render = render_open(gl, options);
-    if (!render || !render_scene(render, scene))
+    Renderer *renderer = renderer_open(gl, options);
+    if (!renderer || !renderer_set_scene(renderer, scene))
         fail_msg("%s", gl->error);
-    const int width = render_width(render), height = render_height(render);
-    const int tile[2] = {render_tile_width(render), render_tile_height(render)};
+    const int width = renderer_width(renderer), height = renderer_height(renderer);
+    const int tile[2] = {renderer_tile_width(renderer), renderer_tile_height(renderer)};
     float *all = calloc((size_t)width * (size_t)height, 4 * sizeof *all);
     float *part = calloc((size_t)tile[0] * (size_t)tile[1], 4 * sizeof *part);
     assert_true(all && part);
     for (int y = 0; y < height; y += tile[1])
         for (int x = 0; x < width; x += tile[0]) {
-            render_move(render, x, y);
-            assert_true(render_frame(render) && render_read(render, part));
+            renderer_set_tile(renderer, x, y);
+            assert_true(renderer_frame(renderer) && renderer_read(renderer, part));
             for (int row = 0; row < tile[1] && y + row < height; row++)
                 memcpy(all + 4 * ((y + row) * width + x), part + 4 * row * tile[0],
                        4 * sizeof *all * (size_t)(x + tile[0] > width ? width - x : tile[0]));
         }
     free(part);
-    render_close(render);
+    renderer_close(renderer);
     return all;
 }
 
@@ -75,17 +75,17 @@ static void pixels_are_means(void **state)
     static const struct {
         const char *view;
         int samples, tile;
-        RenderEdges edges;
+        RendererEdges edges;
         bool fragment;
         const char *layout; /* of compact's codes, those of nothing mean something, too */
     } cases[] = {
-        {NULL, 2, 0, RENDER_EDGES_none, false, "integer"},
-        {NULL, 3, 12, RENDER_EDGES_coverage, false, "integer"},
-        {NULL, 4, 16, RENDER_EDGES_none, true, "integer"},
-        {"light", 2, 10, RENDER_EDGES_none, false, "integer"},
-        {"diffuse", 3, 0, RENDER_EDGES_none, false, "integer"},
-        {"depth", 2, 0, RENDER_EDGES_none, false, "integer"},
-        {"normal", 2, 0, RENDER_EDGES_none, false, "compact"},
+        {NULL, 2, 0, RENDERER_EDGES_none, false, "integer"},
+        {NULL, 3, 12, RENDERER_EDGES_coverage, false, "integer"},
+        {NULL, 4, 16, RENDERER_EDGES_none, true, "integer"},
+        {"light", 2, 10, RENDERER_EDGES_none, false, "integer"},
+        {"diffuse", 3, 0, RENDERER_EDGES_none, false, "integer"},
+        {"depth", 2, 0, RENDERER_EDGES_none, false, "integer"},
+        {"normal", 2, 0, RENDERER_EDGES_none, false, "compact"},
     };
     MatcDocument *document;
     const MatcOptions options = frame_exact_options();
@@ -95,13 +95,13 @@ static void pixels_are_means(void **state)
         const int n = cases[i].samples;
         MatcOptions compile = options;
         compile.layout = cases[i].layout;
-        RenderOptions how = {.compile = &compile,
-                             .view = cases[i].view,
-                             .edges = cases[i].edges,
-                             .deep = true,
-                             .fragment = cases[i].fragment,
-                             .width = n * WIDTH,
-                             .height = n * HEIGHT};
+        RendererOptions how = {.compile = &compile,
+                               .view = cases[i].view,
+                               .edges = cases[i].edges,
+                               .deep = true,
+                               .fragment = cases[i].fragment,
+                               .width = n * WIDTH,
+                               .height = n * HEIGHT};
         float *large = draw(gl, scene, &how);
         how.width = how.height = 0;
         how.samples = n;
@@ -126,7 +126,7 @@ static void too_many(void **state)
     (void)state;
     const MatcOptions options = frame_exact_options();
     GlContext *gl = frame_context();
-    assert_null(render_open(gl, &(RenderOptions){.compile = &options, .samples = 9}));
+    assert_null(renderer_open(gl, &(RendererOptions){.compile = &options, .samples = 9}));
     assert_string_equal(gl->error, "samples are 1 to 8, not 9");
     gl_close(gl);
 }

@@ -58,16 +58,17 @@ static void drawn_as_said(void **state)
                  EDGE, EDGE, cases[i].object, cases[i].camera);
         Scene *scene = frame_scene(text, &options, &document);
         GlContext *gl = frame_context();
-        Render *render = render_open(gl, &(RenderOptions){.compile = &options, .view = "emissive"});
+        Renderer *renderer =
+            renderer_open(gl, &(RendererOptions){.compile = &options, .view = "emissive"});
         scene->time = 2.5;
-        float *rgba = frame_floats_by(gl, render, scene);
+        float *rgba = frame_floats_by(gl, renderer, scene);
         expect(rgba, &cases[i], 2.5);
         scene->time = 4;
-        assert_true(render_changed(render, RENDER_TIME) && render_frame(render) &&
-                    render_read(render, rgba));
+        assert_true(renderer_changed(renderer, RENDERER_TIME) && renderer_frame(renderer) &&
+                    renderer_read(renderer, rgba));
         expect(rgba, &cases[i], 4);
         free(rgba);
-        render_close(render);
+        renderer_close(renderer);
         gl_close(gl);
         frame_forget(scene, document);
         matc_layout_free(layout);
@@ -100,7 +101,7 @@ static void objects_have_numbers(void **state)
         GlContext *gl = frame_context();
         gl->VertexAttribDivisor = way ? NULL : gl->VertexAttribDivisor;
         float *rgba =
-            frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "emissive"});
+            frame_floats(gl, scene, &(RendererOptions){.compile = &options, .view = "emissive"});
         for (int i = 0; i < 9; i++) {
             const int third = EDGE / 3, x = third * (i % 3) + third / 2,
                       y = third * (i / 3) + third / 2;
@@ -158,7 +159,7 @@ static float *draw_mesh(GlContext *gl, const char *path, const char *material, c
              "objects: [{ object: Mesh, file: %s, material: seen }]\n",
              EDGE, EDGE, material, path);
     Scene *scene = frame_scene(text, &options, &document);
-    float *rgba = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = view});
+    float *rgba = frame_floats(gl, scene, &(RendererOptions){.compile = &options, .view = view});
     frame_forget(scene, document);
     matc_layout_free(layout);
     return rgba;

@@ -33,26 +33,27 @@ typedef struct {
     MatcDocument *document;
     Scene *scene;
     GlContext *gl;
-    Render *render;
+    Renderer *renderer;
 } Drawn;
 
-static Drawn draw(const RenderOptions *options)
+static Drawn draw(const RendererOptions *options)
 {
     Drawn d = {.compile = frame_exact_options()};
-    RenderOptions choice = *options;
+    RendererOptions choice = *options;
     choice.compile = &d.compile;
     choice.view = "light";
     d.scene = frame_scene(text, &d.compile, &d.document);
     d.gl = frame_context();
     frame_count_calls(d.gl);
-    d.render = render_open(d.gl, &choice);
-    assert_true(d.render && render_scene(d.render, d.scene) && render_frame(d.render));
+    d.renderer = renderer_open(d.gl, &choice);
+    assert_true(d.renderer && renderer_set_scene(d.renderer, d.scene) &&
+                renderer_frame(d.renderer));
     return d;
 }
 
 static void forget(Drawn *d)
 {
-    render_close(d->render);
+    renderer_close(d->renderer);
     gl_close(d->gl);
     frame_forget(d->scene, d->document);
 }
@@ -60,10 +61,10 @@ static void forget(Drawn *d)
 static void a_second_frame_draws(void **state)
 {
     (void)state;
-    Drawn d = draw(&(RenderOptions){0});
-    float *first = frame_change_next(d.render);
+    Drawn d = draw(&(RendererOptions){0});
+    float *first = frame_change_next(d.renderer);
     frame_calls = (FrameCalls){0};
-    float *second = frame_change_next(d.render);
+    float *second = frame_change_next(d.renderer);
     assert_int_equal(frame_calls.made + frame_calls.written, 0);
     assert_memory_equal(first, second, FLOATS * sizeof *first);
     free(first);
@@ -74,19 +75,19 @@ static void a_second_frame_draws(void **state)
 static bool move_camera(Drawn *d)
 {
     d->scene->camera.position[0] += 1;
-    return render_changed(d->render, RENDER_CAMERA);
+    return renderer_changed(d->renderer, RENDERER_CAMERA);
 }
 
 static bool move_light(Drawn *d)
 {
     d->scene->lights[1].position[2] = 3.2; /* below the first sheet */
-    return render_changed(d->render, RENDER_LIGHTS);
+    return renderer_changed(d->renderer, RENDERER_LIGHTS);
 }
 
 static bool move_sheet(Drawn *d)
 {
     d->scene->objects[1].world_from_local.m[12] += .5;
-    return render_changed_objects(d->render, 1, 1);
+    return renderer_changed_objects(d->renderer, 1, 1);
 }
 
 /* As a new renderer draws the scene, bit for bit, and not as it was. */
@@ -95,12 +96,12 @@ static void changes(void **state)
     (void)state;
     static bool (*const moves[])(Drawn *) = {move_camera, move_light, move_sheet};
     for (size_t i = 0; i < sizeof moves / sizeof *moves; i++) {
-        Drawn d = draw(&(RenderOptions){0});
-        float *before = frame_change_next(d.render);
+        Drawn d = draw(&(RendererOptions){0});
+        float *before = frame_change_next(d.renderer);
         assert_true(moves[i](&d));
-        float *moved = frame_change_next(d.render);
+        float *moved = frame_change_next(d.renderer);
         float *new =
-            frame_floats(d.gl, d.scene, &(RenderOptions){.compile = &d.compile, .view = "light"});
+            frame_floats(d.gl, d.scene, &(RendererOptions){.compile = &d.compile, .view = "light"});
         assert_memory_equal(moved, new, FLOATS * sizeof *new);
         assert_memory_not_equal(before, new, FLOATS * sizeof *new);
         free(before);
@@ -115,10 +116,10 @@ static void changes(void **state)
 static void params(void **state)
 {
     (void)state;
-    Drawn d = draw(&(RenderOptions){0});
-    float *before = frame_change_next(d.render);
-    assert_true(render_param(d.render, d.scene->objects[1].material, "clear", &(float){0}, 1));
-    float *after = frame_change_next(d.render);
+    Drawn d = draw(&(RendererOptions){0});
+    float *before = frame_change_next(d.renderer);
+    assert_true(renderer_param(d.renderer, d.scene->objects[1].material, "clear", &(float){0}, 1));
+    float *after = frame_change_next(d.renderer);
     int darker = 0;
     for (int i = 0; i < FLOATS; i++)
         darker += after[i] < before[i];
@@ -133,14 +134,14 @@ static void params(void **state)
 static void tiles(void **state)
 {
     (void)state;
-    Drawn whole = draw(&(RenderOptions){0});
-    float *picture = frame_change_next(whole.render);
+    Drawn whole = draw(&(RendererOptions){0});
+    float *picture = frame_change_next(whole.renderer);
     forget(&whole);
-    Drawn tiled = draw(&(RenderOptions){.tile = {16, 8}});
+    Drawn tiled = draw(&(RendererOptions){.tile = {16, 8}});
     for (int y = 0; y < HEIGHT; y += 8)
         for (int x = 0; x < WIDTH; x += 16) {
-            render_move(tiled.render, x, y);
-            float *tile = frame_change_next(tiled.render);
+            renderer_set_tile(tiled.renderer, x, y);
+            float *tile = frame_change_next(tiled.renderer);
             for (int row = 0; row < 8; row++)
                 for (int i = 0; i < 4 * 16; i++)
                     assert_float_equal(tile[4 * 16 * row + i],
@@ -151,9 +152,9 @@ static void tiles(void **state)
     forget(&tiled);
 }
 
-static bool graph_has(const Render *render, const char *line)
+static bool graph_has(const Renderer *renderer, const char *line)
 {
-    char *graph = frame_graph(render);
+    char *graph = frame_graph(renderer);
     const bool found = strstr(graph, line) != NULL;
     free(graph);
     return found;
@@ -164,24 +165,25 @@ static bool graph_has(const Render *render, const char *line)
 static void room(void **state)
 {
     (void)state;
-    Drawn d = draw(&(RenderOptions){0});
-    assert_true(graph_has(d.render, "sheets RG32UI 16: what planes let through of 2 lights"));
-    assert_true(graph_has(d.render, "lists depth lists not run: nothing to do")); /* peeled */
-    assert_true(render_scene(d.render, d.scene));
-    render_close(d.render);
-    d.render = render_open(d.gl, &(RenderOptions){.compile = &d.compile, .transparency = "lists"});
-    assert_false(render_scene(d.render, d.scene));
+    Drawn d = draw(&(RendererOptions){0});
+    assert_true(graph_has(d.renderer, "sheets RG32UI 16: what planes let through of 2 lights"));
+    assert_true(graph_has(d.renderer, "lists depth lists not run: nothing to do")); /* peeled */
+    assert_true(renderer_set_scene(d.renderer, d.scene));
+    renderer_close(d.renderer);
+    d.renderer =
+        renderer_open(d.gl, &(RendererOptions){.compile = &d.compile, .transparency = "lists"});
+    assert_false(renderer_set_scene(d.renderer, d.scene));
     assert_non_null(strstr(d.gl->error, "a plane whose transparency varies casts shadows"));
-    render_close(d.render);
-    d.render = render_open(d.gl, &(RenderOptions){.compile = &d.compile, .no_shadows = true});
-    assert_true(render_scene(d.render, d.scene) && render_frame(d.render));
-    assert_false(graph_has(d.render, "sheets"));
-    render_close(d.render);
+    renderer_close(d.renderer);
+    d.renderer = renderer_open(d.gl, &(RendererOptions){.compile = &d.compile, .no_shadows = true});
+    assert_true(renderer_set_scene(d.renderer, d.scene) && renderer_frame(d.renderer));
+    assert_false(graph_has(d.renderer, "sheets"));
+    renderer_close(d.renderer);
     d.gl->major = d.gl->minor = 3;
     d.gl->ClipControl = NULL;
-    d.render = render_open(d.gl, &(RenderOptions){.compile = &d.compile});
-    assert_true(render_scene(d.render, d.scene) && render_frame(d.render));
-    assert_false(graph_has(d.render, "sheets RG32UI"));
+    d.renderer = renderer_open(d.gl, &(RendererOptions){.compile = &d.compile});
+    assert_true(renderer_set_scene(d.renderer, d.scene) && renderer_frame(d.renderer));
+    assert_false(graph_has(d.renderer, "sheets RG32UI"));
     forget(&d);
 }
 
@@ -203,7 +205,7 @@ static float *light_of(GlContext *gl, const char *light, const char *height, con
     const MatcOptions options = frame_exact_options();
     snprintf(scene_text, sizeof scene_text, side_text, light, height, turn);
     Scene *scene = frame_scene(scene_text, &options, &document);
-    float *rgba = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "light"});
+    float *rgba = frame_floats(gl, scene, &(RendererOptions){.compile = &options, .view = "light"});
     frame_forget(scene, document);
     return rgba;
 }

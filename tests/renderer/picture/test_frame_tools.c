@@ -34,11 +34,11 @@ static const double clear[3] = {1, 1, 1},
                     axes[3][3] = {{.7, .02, .02}, {.02, .7, .02}, {.02, .02, 1}},
                     grey[3] = {.214, .214, .214};
 
-static float *draw(const char *text, const RenderOptions *how)
+static float *draw(const char *text, const RendererOptions *how)
 {
     MatcOptions options = frame_exact_options();
     MatcDocument *document;
-    RenderOptions all = *how;
+    RendererOptions all = *how;
     all.compile = &options;
     Scene *scene = frame_scene(text, &options, &document);
     GlContext *gl = frame_context();
@@ -103,7 +103,7 @@ static void coverage(void **state)
     (void)state;
     float *rgba = draw(IMAGE "camera: { camera: Perspective, position: [3, -4, 2.5], angle: 40 }\n"
                              "tools: { axes: true, axesLength: 1.3 }\n",
-                       &(RenderOptions){0});
+                       &(RendererOptions){0});
     for (int i = 0; i < 3; i++) {
         double end[3] = {0}, at[2][2];
         end[i] = 1.3;
@@ -129,7 +129,7 @@ static void hidden(void **state)
                              "0.75] } }\n"
                              "- { object: Box, size: [1, 0.2, 0.2], material: white, transform: { "
                              "translation: [0, 0.3, 0.3] } }\n",
-                       &(RenderOptions){.edges = RENDER_EDGES_coverage});
+                       &(RendererOptions){.edges = RENDERER_EDGES_coverage});
     for (int y = HEIGHT / 2 + 1; y < HEIGHT / 2 + 59; y++) {
         const double z = (y + .5 - HEIGHT / 2.) / 40;
         const bool box = z > .5 && z < 1;
@@ -161,7 +161,7 @@ static void on_the_ground(void **state)
                            "0] } }\ncamera: %s\n"
                            "tools: { grid: true, gridCells: 30, gridStep: %d }\nobjects: [%s]\n",
                      cameras[k], k == 1 ? 400 : 1, i ? "{ object: Plane, material: ground }" : "");
-            rgba[i] = draw(text, &(RenderOptions){.fragment = i});
+            rgba[i] = draw(text, &(RendererOptions){.fragment = i});
         }
         for (int p = 0; p < WIDTH * HEIGHT; p++) {
             const bool line = is_color(rgba[0] + 4 * p, grey, clear);
@@ -183,7 +183,7 @@ static void behind_glass(void **state)
     static const double through[3] = {.5 * .9, .25 * .6, .75 * .8};
     static const struct {
         const char *tone;
-        RenderOptions how;
+        RendererOptions how;
     } cases[] = {{"Clamp", {.transparency = "lists"}},
                  {"Filmic, exposure: 5", {.transparency = "lists", .fragment = true}},
                  {"Drago", {.transparency = "peeling"}},
@@ -255,16 +255,16 @@ static void runs(void **state)
         MatcDocument *document;
         Scene *scene = frame_scene(texts[i], &options, &document);
         GlContext *gl = frame_context();
-        Render *render = render_open(gl, &(RenderOptions){.compile = &options});
-        assert_true(render && render_scene(render, scene) && render_frame(render));
-        char *graph = frame_graph(render);
+        Renderer *renderer = renderer_open(gl, &(RendererOptions){.compile = &options});
+        assert_true(renderer && renderer_set_scene(renderer, scene) && renderer_frame(renderer));
+        char *graph = frame_graph(renderer);
         assert_int_equal(strstr(graph, "tools are asked for") != NULL, i);
         assert_int_equal(strstr(graph, "tools RGBA32F 16") != NULL, i);
         free(graph);
         frame_count_calls(gl);
-        assert_true(render_frame(render));
+        assert_true(renderer_frame(renderer));
         assert_int_equal(frame_calls.made + frame_calls.written, 0);
-        render_close(render);
+        renderer_close(renderer);
         gl_close(gl);
         frame_forget(scene, document);
     }
@@ -280,15 +280,16 @@ static void changed(void **state)
                                      "light: Point, position: [0, 1, 1] }]\n",
                                &options, &document);
     GlContext *gl = frame_context();
-    const RenderOptions how = {.compile = &options};
-    Render *render = render_open(gl, &how);
+    const RendererOptions how = {.compile = &options};
+    Renderer *renderer = renderer_open(gl, &how);
     float *moved = calloc(512 * 512, 4 * sizeof *moved);
-    assert_true(render && moved && render_scene(render, scene) && render_frame(render));
+    assert_true(renderer && moved && renderer_set_scene(renderer, scene) &&
+                renderer_frame(renderer));
     scene->camera.position[0] = 1;
     scene->lights[0].position[2] = 2;
-    assert_true(render_changed(render, RENDER_CAMERA | RENDER_LIGHTS) && render_frame(render) &&
-                render_read(render, moved));
-    render_close(render);
+    assert_true(renderer_changed(renderer, RENDERER_CAMERA | RENDERER_LIGHTS) &&
+                renderer_frame(renderer) && renderer_read(renderer, moved));
+    renderer_close(renderer);
     float *whole = frame_floats(gl, scene, &how);
     assert_memory_equal(moved, whole, (size_t)WIDTH * HEIGHT * 4 * sizeof *whole);
     free(moved);

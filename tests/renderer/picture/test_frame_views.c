@@ -45,7 +45,7 @@ static Scene *read_example(const char *name, const MatcOptions *options, MatcDoc
 static unsigned char *bytes_of(GlContext *gl, const Scene *scene, const MatcOptions *options,
                                const char *view)
 {
-    const ScenePictureOptions how = {.render = {.compile = options, .view = view}};
+    const ScenePictureOptions how = {.renderer = {.compile = options, .view = view}};
     unsigned char *rgb = malloc((size_t)scene->width * (size_t)scene->height * 3);
     ScenePictures *pictures = scene_pictures_open(gl, &how);
     if (!rgb || !pictures || !scene_pictures_show(pictures, scene) ||
@@ -131,7 +131,7 @@ static void slots_that_vary_have_colors(void **state)
         Scene *scene = read_example(scenes[i], &options, &document);
         for (int slot = 0; slot < SLOT_COUNT; slot++) {
             float *rgba = frame_floats(
-                gl, scene, &(RenderOptions){.compile = &options, .view = slot_table[slot].name});
+                gl, scene, &(RendererOptions){.compile = &options, .view = slot_table[slot].name});
             if (varies(rgba, scene->width * scene->height)) {
                 assert_colorful(gl, scenes[i], slot_table[slot].name);
                 varied++;
@@ -258,10 +258,10 @@ static void exr_is_raw(void **state)
         ScenePicture picture;
         exr_context_t exr;
         Scene *scene = read_example("solids", &options, &document);
-        const ScenePictureOptions how = {.render = {.compile = &options, .view = views[i]},
+        const ScenePictureOptions how = {.renderer = {.compile = &options, .view = views[i]},
                                          .format = PICTURE_FORMAT_exr,
                                          .bits = 32};
-        RenderOptions same = how.render;
+        RendererOptions same = how.renderer;
         same.linear = same.deep = true;
         float *rgba = frame_floats(gl, scene, &same);
         ScenePictures *pictures = scene_pictures_open(gl, &how);

@@ -105,7 +105,7 @@ static float *draw(GlContext *gl, const PictureCase *pair, const ReferencePictur
     assert_int_equal(scene->height, picture->height);
     float *rgba = frame_floats(
         gl, scene,
-        &(RenderOptions){.compile = options, .view = "light", .no_shadows = !pair->shadows});
+        &(RendererOptions){.compile = options, .view = "light", .no_shadows = !pair->shadows});
     frame_forget(scene, document);
     free(text);
     return rgba;

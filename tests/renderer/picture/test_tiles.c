@@ -49,12 +49,12 @@ static void rays_are_the_pictures(void **state)
     for (size_t k = 0; k < sizeof scenes / sizeof *scenes; k++) {
         MatcDocument *document;
         Scene *scene = frame_scene(scenes[k], &options, &document);
-        RenderOptions render = {.compile = &options, .view = "light"};
-        float *whole = frame_floats(gl, scene, &render);
+        RendererOptions renderer = {.compile = &options, .view = "light"};
+        float *whole = frame_floats(gl, scene, &renderer);
         assert_true(fabs(whole[0] - whole[4 * (WIDTH - 1)]) > 1e-3); /* they do differ */
         for (size_t i = 0; i < sizeof tiles / sizeof *tiles; i++) {
-            memcpy(render.tile, tiles[i], sizeof render.tile);
-            float *parts = frame_tiles(gl, scene, &render);
+            memcpy(renderer.tile, tiles[i], sizeof renderer.tile);
+            float *parts = frame_tiles(gl, scene, &renderer);
             assert_memory_equal(whole, parts, (size_t)WIDTH * HEIGHT * 4 * sizeof *whole);
             free(parts);
         }
@@ -86,11 +86,11 @@ static void seams_are_rounding(void **state)
     Scene *scene = frame_scene(text, &options, &document);
     GlContext *gl = frame_context();
     for (int view = 0; view < 2; view++) {
-        RenderOptions render = {.compile = &options, .view = view ? "light" : "depth"};
-        float *whole = frame_floats(gl, scene, &render);
+        RendererOptions renderer = {.compile = &options, .view = view ? "light" : "depth"};
+        float *whole = frame_floats(gl, scene, &renderer);
         for (size_t i = 0; i < sizeof tiles / sizeof *tiles; i++) {
-            memcpy(render.tile, tiles[i], sizeof render.tile);
-            float *parts = frame_tiles(gl, scene, &render);
+            memcpy(renderer.tile, tiles[i], sizeof renderer.tile);
+            float *parts = frame_tiles(gl, scene, &renderer);
             assert_true(apart(whole, parts, view ? 1e-4 : 1e-6) <= WIDTH * HEIGHT / 400);
             free(parts);
         }
@@ -108,7 +108,7 @@ static void tiles_fit_the_memory(void **state)
         size_t memory;
         int rows;
     } cases[] = {{0, HEIGHT},
-                 {1, RENDER_TILE_LEAST},
+                 {1, RENDERER_TILE_LEAST},
                  {200 * 32 * 51, 50},
                  {200 * 32 * 100 - 1, 98},
                  {200 * 32 * 100, 100}};
@@ -122,12 +122,12 @@ static void tiles_fit_the_memory(void **state)
                     &options, &document);
     GlContext *gl = frame_context();
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        Render *render =
-            render_open(gl, &(RenderOptions){.compile = &options, .memory = cases[i].memory});
-        assert_true(render && render_scene(render, scene));
-        assert_int_equal(render_tile_width(render), WIDTH);
-        assert_int_equal(render_tile_height(render), cases[i].rows);
-        render_close(render);
+        Renderer *renderer =
+            renderer_open(gl, &(RendererOptions){.compile = &options, .memory = cases[i].memory});
+        assert_true(renderer && renderer_set_scene(renderer, scene));
+        assert_int_equal(renderer_tile_width(renderer), WIDTH);
+        assert_int_equal(renderer_tile_height(renderer), cases[i].rows);
+        renderer_close(renderer);
     }
     gl_close(gl);
     frame_forget(scene, document);
@@ -144,15 +144,15 @@ static void tiles_share_the_width(void **state)
         IMAGE WALL "camera: { camera: Perspective, position: [0, -2, 0], target: [0, 0, 0] }\n",
         &options, &document);
     GlContext *gl = frame_context();
-    RenderOptions asked = {.compile = &options, .view = "light", .no_shadows = true};
+    RendererOptions asked = {.compile = &options, .view = "light", .no_shadows = true};
     float *whole = frame_floats(gl, scene, &asked);
     const int most = gl->max_texture_size;
     gl->max_texture_size = 190;
-    Render *render = render_open(gl, &asked);
-    assert_true(render && render_scene(render, scene));
-    assert_int_equal(render_tile_width(render), WIDTH / 2);
-    assert_int_equal(render_tile_height(render), HEIGHT);
-    render_close(render);
+    Renderer *renderer = renderer_open(gl, &asked);
+    assert_true(renderer && renderer_set_scene(renderer, scene));
+    assert_int_equal(renderer_tile_width(renderer), WIDTH / 2);
+    assert_int_equal(renderer_tile_height(renderer), HEIGHT);
+    renderer_close(renderer);
     float *parts = frame_tiles(gl, scene, &asked);
     assert_memory_equal(whole, parts, (size_t)WIDTH * HEIGHT * 4 * sizeof *whole);
     gl->max_texture_size = most;
@@ -177,19 +177,19 @@ static void memory_does_not_grow(void **state)
     for (int k = 0; k < 2; k++) {
         const int edge = k ? LARGE : SMALL;
         frame_count_calls(gl);
-        Render *render = render_open(
-            gl,
-            &(RenderOptions){.compile = &options, .width = edge, .height = edge, .memory = MEMORY});
-        assert_true(render && render_scene(render, scene) && render_frame(render));
-        assert_true(render_tile_width(render) * render_tile_height(render) *
-                        render_pixel_bytes(render) <=
+        Renderer *renderer = renderer_open(
+            gl, &(RendererOptions){
+                    .compile = &options, .width = edge, .height = edge, .memory = MEMORY});
+        assert_true(renderer && renderer_set_scene(renderer, scene) && renderer_frame(renderer));
+        assert_true(renderer_tile_width(renderer) * renderer_tile_height(renderer) *
+                        renderer_pixel_bytes(renderer) <=
                     MEMORY);
         texels[k] = frame_calls.texels;
-        render_close(render);
+        renderer_close(renderer);
         gl_close(gl); /* the counters stand in it */
         gl = frame_context();
     }
-    assert_true(texels[0] > SMALL * RENDER_TILE_LEAST && texels[1] <= texels[0]);
+    assert_true(texels[0] > SMALL * RENDERER_TILE_LEAST && texels[1] <= texels[0]);
     gl_close(gl);
     frame_forget(scene, document);
 }
@@ -244,10 +244,10 @@ static Seams seams_of(GlContext *gl, const char *name)
     Scene *scene = read_file(name, &options, &document);
     Seams seams = {.pixels = scene->width * scene->height};
     for (int view = 0; view < 2; view++) {
-        RenderOptions render = {.compile = &options, .view = view ? "shown" : "depth"};
-        float *whole = frame_floats(gl, scene, &render);
-        memcpy(render.tile, tiles[0], sizeof render.tile);
-        float *parts = frame_tiles(gl, scene, &render);
+        RendererOptions renderer = {.compile = &options, .view = view ? "shown" : "depth"};
+        float *whole = frame_floats(gl, scene, &renderer);
+        memcpy(renderer.tile, tiles[0], sizeof renderer.tile);
+        float *parts = frame_tiles(gl, scene, &renderer);
         compare(whole, parts, !view, &seams);
         free(parts);
         free(whole);

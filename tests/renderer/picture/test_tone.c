@@ -5,7 +5,7 @@
 #include "tests/test.h"
 #include "gen/render_text.h"
 #include "runtime/gpu_material/measure.h"
-#include "runtime/render/render.h"
+#include "runtime/renderer/renderer.h"
 #include "tests/frame/frame_draw.h"
 #include <math.h>
 #include <stdio.h>
@@ -22,16 +22,16 @@ static float *draw(GlContext *gl, const char *text, const char *view, bool fragm
     MatcDocument *document = scene_read("scene.yaml", text, strlen(text), &options, &scene);
     if (!scene)
         fail_msg("%s", matc_diagnostics(document, MATC_TEXT));
-    Render *render =
-        render_open(gl, &(RenderOptions){.compile = &options, .view = view, .fragment = fragment});
-    if (!render || !render_scene(render, scene) || !render_frame(render))
+    Renderer *renderer = renderer_open(
+        gl, &(RendererOptions){.compile = &options, .view = view, .fragment = fragment});
+    if (!renderer || !renderer_set_scene(renderer, scene) || !renderer_frame(renderer))
         fail_msg("%s", gl->error);
-    float *rgba =
-        calloc((size_t)render_width(render) * (size_t)render_height(render), 4 * sizeof *rgba);
+    float *rgba = calloc((size_t)renderer_width(renderer) * (size_t)renderer_height(renderer),
+                         4 * sizeof *rgba);
     assert_non_null(rgba);
-    if (!render_read(render, rgba))
+    if (!renderer_read(renderer, rgba))
         fail_msg("%s", gl->error);
-    render_close(render);
+    renderer_close(renderer);
     scene_free(scene);
     matc_document_free(document);
     return rgba;
@@ -329,23 +329,23 @@ static void in_tiles(void **state)
     for (int k = 0; k < 8; k++) {
         MatcDocument *document;
         Scene *scene = read_horizon(tiled[k / 2], &options, &document);
-        RenderOptions how = {.compile = &options,
-                             .deep = true,
-                             .edges = k & 1 ? RENDER_EDGES_coverage : RENDER_EDGES_none,
-                             .tile = {32, 18}};
-        Render *render = render_open(gl, &how);
+        RendererOptions how = {.compile = &options,
+                               .deep = true,
+                               .edges = k & 1 ? RENDERER_EDGES_coverage : RENDERER_EDGES_none,
+                               .tile = {32, 18}};
+        Renderer *renderer = renderer_open(gl, &how);
         float part[4 * 32 * 18];
-        assert_true(render && render_scene(render, scene) && render_frame(render));
+        assert_true(renderer && renderer_set_scene(renderer, scene) && renderer_frame(renderer));
         scene->camera.position[2] = .8;
         scene->lights[0].light[0] *= 2;
-        assert_true(render_changed(render, RENDER_CAMERA) && render_frame(render));
-        assert_true(render_changed(render, RENDER_LIGHTS));
+        assert_true(renderer_changed(renderer, RENDERER_CAMERA) && renderer_frame(renderer));
+        assert_true(renderer_changed(renderer, RENDERER_LIGHTS));
         how.tile[0] = how.tile[1] = 0;
         float *whole = frame_floats(gl, scene, &how);
         for (int y = 0; y < 53; y += 18)
             for (int x = 0; x < 75; x += 32) {
-                render_move(render, x, y);
-                assert_true(render_frame(render) && render_read(render, part));
+                renderer_set_tile(renderer, x, y);
+                assert_true(renderer_frame(renderer) && renderer_read(renderer, part));
                 for (int row = 0; row < 18 && y + row < 53; row++)
                     for (int i = 0; i < 4 * 32 && x + i / 4 < 75; i++)
                         if (!(fabsf(part[4 * 32 * row + i] - whole[4 * (75 * (y + row) + x) + i]) <=
@@ -354,7 +354,7 @@ static void in_tiles(void **state)
                                      whole[4 * (75 * (y + row) + x) + i]);
             }
         free(whole);
-        render_close(render);
+        renderer_close(renderer);
         frame_forget(scene, document);
     }
     gl_close(gl);

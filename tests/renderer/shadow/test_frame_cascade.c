@@ -3,7 +3,7 @@
  * says. */
 #include "runtime/tessellate/scene_solid.h"
 #include "tests/test.h"
-#include "runtime/render/passes.h"
+#include "runtime/renderer/passes.h"
 #include "runtime/shadow/shadow_views.h"
 #include "runtime/scene/scene_matrix.h"
 #include "tests/frame/frame_draw.h"
@@ -147,7 +147,7 @@ static void shadows_stand_still(void **state)
     int edges = 0, others = 0;
     for (int step = 0; step < STEPS; step++) {
         float *after =
-            frame_floats(gl, scene, &(RenderOptions){.compile = &compile, .view = "light"});
+            frame_floats(gl, scene, &(RendererOptions){.compile = &compile, .view = "light"});
         for (int i = 0; before && i < WIDTH * HEIGHT; i++)
             if (i % WIDTH + 1 < WIDTH) {
                 edges += fabsf(before[4 * i + 4] - before[4 * i]) > .2f;

@@ -120,12 +120,12 @@ static void add_pixel(const Tracer *tracer, const MatcOptions *options, int pixe
 
 enum { STEP = 7, TEXT = 8192 };
 
-static Count compare(GlContext *gl, const char *text, const RenderOptions *with)
+static Count compare(GlContext *gl, const char *text, const RendererOptions *with)
 {
     MatcLayout *layout;
     MatcDocument *document;
     const MatcOptions options = frame_float_options(&layout);
-    RenderOptions choice = *with;
+    RendererOptions choice = *with;
     Count count = {0};
     Scene *scene = frame_scene(text, &options, &document);
     choice.compile = &options;
@@ -277,7 +277,7 @@ static void write_scene(const Lamp *lamp, const double angle[2], const char *thi
 }
 
 static Count by_angles(const Lamp *lamp, const char *things, bool colored,
-                       const RenderOptions *options)
+                       const RendererOptions *options)
 {
     GlContext *gl = frame_context();
     static char text[TEXT];
@@ -301,7 +301,7 @@ static Count by_angles(const Lamp *lamp, const char *things, bool colored,
 }
 
 static void by_every_angle(const Lamp *lamp, const char *things, bool colored,
-                           const RenderOptions *options)
+                           const RendererOptions *options)
 {
     assert_int_equal(by_angles(lamp, things, colored, options).wrong, 0);
 }
@@ -311,7 +311,7 @@ static void cut_outs(void **state)
 {
     (void)state;
     for (int i = 0; i < LAMPS; i++)
-        by_every_angle(&lamps[i], THINGS, false, &(RenderOptions){0});
+        by_every_angle(&lamps[i], THINGS, false, &(RendererOptions){0});
 }
 
 /* All light is multiplied by what is between, and by nothing that is behind. */
@@ -320,7 +320,7 @@ static void colors(void **state)
     (void)state;
     for (int i = 0; i < LAMPS; i++)
         if (!lamps[i].old)
-            by_every_angle(&lamps[i], THINGS PANES, true, &(RenderOptions){.fragment = i == 1});
+            by_every_angle(&lamps[i], THINGS PANES, true, &(RendererOptions){.fragment = i == 1});
 }
 
 /* Casters that volumes have no room for are looked up in maps, on opaque surfaces and on
@@ -329,7 +329,7 @@ static void colors_beside_volumes(void **state)
 {
     (void)state;
     for (int i = 0; i < 3; i++)
-        by_every_angle(&hybrids[i], THINGS PANES, true, &(RenderOptions){0});
+        by_every_angle(&hybrids[i], THINGS PANES, true, &(RendererOptions){0});
 }
 
 /* Where there are no lists, volumes have no cut-outs, and the statistics say so. */
@@ -347,7 +347,7 @@ static void cut_outs_beside_volumes(void **state)
         gl->minor = old ? 3 : gl->minor;
         write_scene(&hybrids[0], shadow_angles[3], THINGS, old, text);
         Scene *scene = frame_scene(text, &options, &document);
-        char *said = frame_graph_or_fault(gl, scene, &(RenderOptions){.compile = &options});
+        char *said = frame_graph_or_fault(gl, scene, &(RendererOptions){.compile = &options});
         assert_non_null(strstr(said, words[old]));
         free(said);
         frame_forget(scene, document);
@@ -365,8 +365,8 @@ static void colors_in_parts(void **state)
         {"point", "Point", true, false, "size: 1024, filter: 1", 1, 3, false, false}};
     for (int i = 0; i < 2; i++)
         by_every_angle(&divided[i], THINGS PANES, true,
-                       &(RenderOptions){.list_bytes = i ? 5000000 : 700000,
-                                        .transparency = i ? "peeling" : "lists"});
+                       &(RendererOptions){.list_bytes = i ? 5000000 : 700000,
+                                          .transparency = i ? "peeling" : "lists"});
 }
 
 /* Varying transmittance of an infinite plane is evaluated for each direction to a light, without a
@@ -377,7 +377,7 @@ static void sheets(void **state)
     static const struct {
         int lamp, angle;
         bool colored;
-        RenderOptions options;
+        RendererOptions options;
     } cases[] = {{0, 4, true, {0}},
                  {1, 4, false, {.fragment = true}},
                  {2, 5, true, {.transparency = "peeling"}},
@@ -394,8 +394,8 @@ static void sheets(void **state)
 static void cascades(void **state)
 {
     (void)state;
-    by_every_angle(&cascaded, THINGS, true, &(RenderOptions){0});
-    assert_true(by_angles(&uncascaded, THINGS, true, &(RenderOptions){0}).wrong > 0);
+    by_every_angle(&cascaded, THINGS, true, &(RendererOptions){0});
+    assert_true(by_angles(&uncascaded, THINGS, true, &(RendererOptions){0}).wrong > 0);
 }
 
 /* Casters of constant transmittance are as exact as opaque ones: up to 0.01 from ends of shadows,
@@ -405,8 +405,8 @@ static void exact_colors(void **state)
     (void)state;
     for (int i = 0; i < 4; i++)
         by_every_angle(&exact[i % 2], PANES, i < 2,
-                       &(RenderOptions){.transparency = i % 2 ? "peeling" : "lists"});
-    by_every_angle(&exact_and_maps, THINGS PANES, true, &(RenderOptions){0});
+                       &(RendererOptions){.transparency = i % 2 ? "peeling" : "lists"});
+    by_every_angle(&exact_and_maps, THINGS PANES, true, &(RendererOptions){0});
 }
 
 int main(void)

@@ -42,7 +42,7 @@ static void write_panes(int panes, double expected[3], char text[TEXT])
 }
 
 /* Most that a pixel is off. */
-static double panes_off(GlContext *gl, int panes, const RenderOptions *options)
+static double panes_off(GlContext *gl, int panes, const RendererOptions *options)
 {
     static char text[TEXT];
     double expected[3], off = 0;
@@ -66,7 +66,7 @@ static void products(void **state)
     GlContext *gl = frame_context();
     for (int panes = 0; panes <= PANES_MOST; panes += 5) {
         const double off =
-            panes_off(gl, panes, &(RenderOptions){.compile = &options, .view = "light"});
+            panes_off(gl, panes, &(RendererOptions){.compile = &options, .view = "light"});
         print_message("%2d panes and a plane: off by %.2g\n", panes, off);
         assert_true(off <= 1e-6);
     }
@@ -83,10 +83,10 @@ static void products_in_parts(void **state)
     const MatcOptions options = frame_float_options(&layout);
     GlContext *gl = frame_context();
     for (int i = 0; i < 2; i++) {
-        const RenderOptions choice = {.compile = &options,
-                                      .view = "light",
-                                      .list_bytes = 100000 + 100000 * (size_t)i,
-                                      .fragment = i == 1};
+        const RendererOptions choice = {.compile = &options,
+                                        .view = "light",
+                                        .list_bytes = 100000 + 100000 * (size_t)i,
+                                        .fragment = i == 1};
         const double off = panes_off(gl, PANES_MOST, &choice);
         print_message("in parts of %lu bytes: off by %.2g\n", (unsigned long)choice.list_bytes,
                       off);
@@ -138,9 +138,9 @@ static void room(void **state)
             gl->ClipControl = NULL;
         }
         char *said = frame_graph_or_fault(gl, scene,
-                                          &(RenderOptions){.compile = &options,
-                                                           .list_bytes = cases[i].most,
-                                                           .transparency = "peeling"});
+                                          &(RendererOptions){.compile = &options,
+                                                             .list_bytes = cases[i].most,
+                                                             .transparency = "peeling"});
         if (!strstr(said, cases[i].said) ||
             cases[i].buffer != (strstr(said, "transparent there") != NULL))
             fail_msg("case %d: %s", (int)i, said);
@@ -175,13 +175,13 @@ static void lacks_are_said(void **state)
             gl->major = gl->minor = 3;
             gl->ClipControl = NULL;
         }
-        Render *render = render_open(gl, &(RenderOptions){.compile = &options});
-        assert_true(render && render_scene(render, scene));
-        char *graph = frame_graph(render);
+        Renderer *renderer = renderer_open(gl, &(RendererOptions){.compile = &options});
+        assert_true(renderer && renderer_set_scene(renderer, scene));
+        char *graph = frame_graph(renderer);
         for (int i = 0; i < 3; i++)
             assert_int_equal(strstr(graph, said[i]) != NULL, i == 0 || old);
         free(graph);
-        render_close(render);
+        renderer_close(renderer);
         gl_close(gl);
         frame_forget(scene, document);
     }

@@ -154,7 +154,7 @@ static void changes(void **state)
     MatcDocument *document;
     GlContext *gl = frame_context_of(kind);
     Scene *scene = shadow_scene_mixed(mixed, ".5", &options, &document);
-    frame_change_moves(gl, &(RenderOptions){.compile = &options, .view = "light"}, scene,
+    frame_change_moves(gl, &(RendererOptions){.compile = &options, .view = "light"}, scene,
                        /* the object is then the farthest to that side */
                        &(FrameMoves){3.25, 1, 0, -.5});
     frame_forget(scene, document);
@@ -175,7 +175,7 @@ static void no_instances(void **state)
 {
     (void)state;
     const MatcOptions options = frame_exact_options();
-    const RenderOptions how = {.compile = &options, .view = "light"};
+    const RendererOptions how = {.compile = &options, .view = "light"};
     MatcDocument *document;
     GlContext *gl = frame_context_of(kind);
     Scene *scene = scene_of(

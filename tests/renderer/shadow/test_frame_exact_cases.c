@@ -24,7 +24,7 @@ enum { EDGE = 64, PIXELS = EDGE * EDGE };
 static int count_dark(const char *text)
 {
     const MatcOptions options = frame_exact_options();
-    const RenderOptions how = {.compile = &options, .view = "light"};
+    const RendererOptions how = {.compile = &options, .view = "light"};
     MatcDocument *document;
     GlContext *gl = frame_context();
     Scene *scene = frame_scene(text, &options, &document);
@@ -83,24 +83,24 @@ static void changes(void **state)
 {
     (void)state;
     const MatcOptions options = frame_exact_options();
-    const RenderOptions how = {.compile = &options, .view = "light"};
+    const RendererOptions how = {.compile = &options, .view = "light"};
     MatcDocument *document;
     GlContext *gl = frame_context();
     Scene *scene = frame_scene(MOVING, &options, &document);
-    Render *render = render_open(gl, &how);
-    assert_true(render && render_scene(render, scene));
-    free(frame_change_next(render));
+    Renderer *renderer = renderer_open(gl, &how);
+    assert_true(renderer && renderer_set_scene(renderer, scene));
+    free(frame_change_next(renderer));
     scene->camera.position[0] += .25;
-    assert_true(render_changed(render, RENDER_CAMERA));
-    frame_change_assert(gl, &how, render, scene);
+    assert_true(renderer_changed(renderer, RENDERER_CAMERA));
+    frame_change_assert(gl, &how, renderer, scene);
     scene->objects[1].world_from_local.m[13] += .25; /* within what there is: it alone is written */
-    assert_true(render_changed_objects(render, 1, 1));
-    frame_change_assert(gl, &how, render, scene);
+    assert_true(renderer_changed_objects(renderer, 1, 1));
+    frame_change_assert(gl, &how, renderer, scene);
     for (int i = 0; i < 4; i++) /* mirrored, it is drawn after its copies */
         scene->objects[1].world_from_local.m[i] *= -1;
-    assert_true(render_changed_objects(render, 1, 1));
-    frame_change_assert(gl, &how, render, scene);
-    render_close(render);
+    assert_true(renderer_changed_objects(renderer, 1, 1));
+    frame_change_assert(gl, &how, renderer, scene);
+    renderer_close(renderer);
     frame_forget(scene, document);
     gl_close(gl);
 }
@@ -129,7 +129,7 @@ static void two_ways(void **state)
         "translation: [0, 0, 1] } "
         "}\n";
     const MatcOptions options = frame_exact_options();
-    const RenderOptions how = {.compile = &options, .view = "light", .deep = true};
+    const RendererOptions how = {.compile = &options, .view = "light", .deep = true};
     GlContext *gl = frame_context();
     float *pictures[3];
     int halves = 0;

@@ -50,24 +50,24 @@ static void by_hand(void **state)
 typedef struct {
     MatcDocument *document;
     Scene *scene;
-    Render *render;
+    Renderer *renderer;
 } Drawn;
 
 static Drawn open_drawn(GlContext *gl, const char *light, const char *method,
-                        const RenderOptions *how)
+                        const RendererOptions *how)
 {
     Drawn drawn;
     char text[2048];
     snprintf(text, sizeof text, SCENE, light, method);
     drawn.scene = frame_scene(text, how->compile, &drawn.document);
-    drawn.render = render_open(gl, how);
-    assert_true(drawn.render && render_scene(drawn.render, drawn.scene));
+    drawn.renderer = renderer_open(gl, how);
+    assert_true(drawn.renderer && renderer_set_scene(drawn.renderer, drawn.scene));
     return drawn;
 }
 
 static void close_drawn(Drawn *drawn)
 {
-    render_close(drawn->render);
+    renderer_close(drawn->renderer);
     frame_forget(drawn->scene, drawn->document);
 }
 
@@ -87,8 +87,8 @@ static void move(SceneLight *light)
 static void step(Drawn *drawn, float *rgba)
 {
     move(&drawn->scene->lights[0]);
-    assert_true(render_changed(drawn->render, RENDER_LIGHTS) && render_frame(drawn->render) &&
-                render_read(drawn->render, rgba));
+    assert_true(renderer_changed(drawn->renderer, RENDERER_LIGHTS) &&
+                renderer_frame(drawn->renderer) && renderer_read(drawn->renderer, rgba));
 }
 
 /* Shares by rays; a tie as it was drawn. */
@@ -127,8 +127,8 @@ static void walk(Drawn drawn[3], Flickers *made)
 static void by_a_light(GlContext *gl, const char *light)
 {
     const MatcOptions options = frame_exact_options();
-    const RenderOptions how = {.compile = &options, .view = "light"},
-                        bare = {.compile = &options, .view = "light", .no_shadows = true};
+    const RendererOptions how = {.compile = &options, .view = "light"},
+                          bare = {.compile = &options, .view = "light", .no_shadows = true};
     Drawn drawn[3] = {open_drawn(gl, light, "exact", &how), open_drawn(gl, light, "map", &how),
                       open_drawn(gl, light, "map", &bare)};
     Flickers made;

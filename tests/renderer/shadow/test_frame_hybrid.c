@@ -5,7 +5,7 @@
 #include "tests/test.h"
 #include "gen/render_text.h"
 #include "runtime/gpu_material/screen_pass.h"
-#include "runtime/render/render.h"
+#include "runtime/renderer/renderer.h"
 #include "tests/frame/frame_calls.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame/shadow_band.h"
@@ -44,9 +44,9 @@ enum { WIDTH = 120, HEIGHT = 90, PIXELS = WIDTH * HEIGHT, SIZE = 256 };
 /* Light that arrives at each pixel, as a share of all of it; -1 where none would. From malloc. */
 static float *shares_of(GlContext *gl, Scene *scene, const MatcOptions *options)
 {
-    float *with = frame_floats(gl, scene, &(RenderOptions){.compile = options, .view = "light"});
+    float *with = frame_floats(gl, scene, &(RendererOptions){.compile = options, .view = "light"});
     float *without = frame_floats(
-        gl, scene, &(RenderOptions){.compile = options, .view = "light", .no_shadows = true});
+        gl, scene, &(RendererOptions){.compile = options, .view = "light", .no_shadows = true});
     for (int i = 0; i < PIXELS; i++)
         with[i] = without[4 * i] > 1e-7f ? with[4 * i] / without[4 * i] : -1;
     free(without);
@@ -303,7 +303,7 @@ static void changes(void **state)
     static const char *const lights[] = {"Directional, direction: [1, .2, -.6]",
                                          "Point, position: [0, .6, 1.1]"};
     const MatcOptions options = frame_exact_options();
-    const RenderOptions how = {.compile = &options, .view = "light"};
+    const RendererOptions how = {.compile = &options, .view = "light"};
     GlContext *gl = frame_context_of(kind);
     for (int k = 0; k < 2; k++) {
         char text[4096];
@@ -312,13 +312,13 @@ static void changes(void **state)
                  VIEW "shadowMaps: { size: 64 }\nlights: [{ light: %s, shadows: hybrid }]\n" THINGS,
                  lights[k]);
         Scene *scene = frame_scene(text, &options, &document);
-        Render *render = render_open(gl, &how);
+        Renderer *renderer = renderer_open(gl, &how);
         float *changed = malloc(4 * sizeof *changed * PIXELS);
-        assert_true(render && render_scene(render, scene) && render_frame(render));
+        assert_true(renderer && renderer_set_scene(renderer, scene) && renderer_frame(renderer));
         scene->objects[scene->object_count - 1].world_from_local.m[12] -= .7;
-        assert_true(render_changed_objects(render, scene->object_count - 1, 1) &&
-                    render_frame(render) && render_read(render, changed));
-        render_close(render);
+        assert_true(renderer_changed_objects(renderer, scene->object_count - 1, 1) &&
+                    renderer_frame(renderer) && renderer_read(renderer, changed));
+        renderer_close(renderer);
         float *anew = frame_floats(gl, scene, &how);
         assert_memory_equal(changed, anew, 4 * sizeof *anew * PIXELS);
         free(anew);
@@ -333,7 +333,7 @@ static void changes(void **state)
 static void draw_path(GlContext *gl, const char *volume, const char *path, float *frames)
 {
     const MatcOptions options = frame_exact_options();
-    const RenderOptions how = {.compile = &options, .view = "light"};
+    const RendererOptions how = {.compile = &options, .view = "light"};
     MatcDocument *document;
     char text[4096];
     snprintf(text, sizeof text,
@@ -345,16 +345,16 @@ static void draw_path(GlContext *gl, const char *volume, const char *path, float
                   "- { light: Point, position: [0, .6, 1.1], shadows: hybrid }\n" THINGS,
              volume, path);
     Scene *scene = frame_scene(text, &options, &document);
-    Render *render = render_open(gl, &how);
-    assert_true(render && render_scene(render, scene) && render_frame(render) &&
-                render_read(render, frames));
+    Renderer *renderer = renderer_open(gl, &how);
+    assert_true(renderer && renderer_set_scene(renderer, scene) && renderer_frame(renderer) &&
+                renderer_read(renderer, frames));
     scene->objects[scene->object_count - 1].world_from_local.m[12] += 1.1;
-    assert_true(render_changed_objects(render, scene->object_count - 1, 1) &&
-                render_frame(render) && render_read(render, frames + 4 * PIXELS));
+    assert_true(renderer_changed_objects(renderer, scene->object_count - 1, 1) &&
+                renderer_frame(renderer) && renderer_read(renderer, frames + 4 * PIXELS));
     frame_calls = (FrameCalls){0};
-    assert_true(render_frame(render));
+    assert_true(renderer_frame(renderer));
     assert_int_equal(frame_calls.made + frame_calls.written, 0);
-    render_close(render);
+    renderer_close(renderer);
     frame_forget(scene, document);
 }
 
@@ -401,20 +401,20 @@ static void many_lights(void **state)
         Scene *scene = frame_scene(text, &options, &document);
         if (count == 9) {
             float *nine =
-                frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "light"});
+                frame_floats(gl, scene, &(RendererOptions){.compile = &options, .view = "light"});
             scene->lights[0] = scene->lights[count - 1];
             scene->light_count = 1;
             float *one =
-                frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "light"});
+                frame_floats(gl, scene, &(RendererOptions){.compile = &options, .view = "light"});
             for (int i = 0; i < 4 * PIXELS; i++)
                 assert_true(fabsf(nine[i] - one[i]) <= 1e-6f);
             free(nine);
             free(one);
         } else {
-            Render *render = render_open(gl, &(RenderOptions){.compile = &options});
-            assert_false(render_scene(render, scene));
+            Renderer *renderer = renderer_open(gl, &(RendererOptions){.compile = &options});
+            assert_false(renderer_set_scene(renderer, scene));
             assert_string_equal(gl->error, "33 lights cast hybrid shadows, more than 32");
-            render_close(render);
+            renderer_close(renderer);
         }
         frame_forget(scene, document);
     }

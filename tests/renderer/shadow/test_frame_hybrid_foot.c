@@ -3,7 +3,7 @@
  * elsewhere in the map's grid of texels. */
 #include "tests/test.h"
 #include "runtime/shadow/shadow_state.h"
-#include "runtime/frame/frame.h"
+#include "runtime/frame_graph/frame.h"
 #include "tests/frame/shadow_pair.h"
 #include <math.h>
 #include <stdlib.h>

@@ -33,11 +33,12 @@ static void lights_have_their_maps(void **state)
                  rows[i].light, strstr(rows[i].light, "Direct") ? "" : ", position: [0, 0, 4]");
         Scene *scene = frame_scene(text, &options, &document);
         scene->shadow_cascades = 3;
-        Render *render = render_open(gl, &(RenderOptions){.compile = &options, .view = "light"});
-        free(frame_floats_by(gl, render, scene));
-        if (render_map_count(render) != rows[i].maps)
-            fail_msg("%s: %d maps", rows[i].light, render_map_count(render));
-        render_close(render);
+        Renderer *renderer =
+            renderer_open(gl, &(RendererOptions){.compile = &options, .view = "light"});
+        free(frame_floats_by(gl, renderer, scene));
+        if (renderer_map_count(renderer) != rows[i].maps)
+            fail_msg("%s: %d maps", rows[i].light, renderer_map_count(renderer));
+        renderer_close(renderer);
         frame_forget(scene, document);
     }
     gl_close(gl);
@@ -66,7 +67,7 @@ static void near_things_cast_shadows(void **state)
             below, below, -below / 2, -below / 2, 10 - below);
         Scene *scene = frame_scene(text, &options, &document);
         float *light =
-            frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "light"});
+            frame_floats(gl, scene, &(RendererOptions){.compile = &options, .view = "light"});
         const float middle = light[4 * (SIDE / 2 * SIDE + SIDE / 2)];
         assert_true(i ? middle > .9f : middle == 0);
         free(light);
@@ -89,7 +90,8 @@ static void leaves_do_not_shade_themselves(void **state)
     MatcDocument *document;
     GlContext *gl = frame_context();
     Scene *scene = frame_scene(text, &options, &document);
-    float *light = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "light"});
+    float *light =
+        frame_floats(gl, scene, &(RendererOptions){.compile = &options, .view = "light"});
     for (int i = 0; i < SIDE * SIDE; i++)
         assert_true(light[4 * i] > .78f && light[4 * i] < .81f);
     free(light);

@@ -1,7 +1,7 @@
 /* A shadow technique that stands in this file alone: its row and GLSL take part in all that shared
  * code does. Expected values are shares of the light without shadows. */
 #include "tests/test.h"
-#include "runtime/render/passes.h"
+#include "runtime/renderer/passes.h"
 #include "runtime/shadow/shadow_method.h"
 #include "tests/frame/frame_draw.h"
 #include <math.h>
@@ -25,17 +25,17 @@ static const char document_text[] =
 
 /* -- techniques */
 
-static void share_of_lights(const Render *render, bool nearest, ShadowMethodText *made)
+static void share_of_lights(const Renderer *renderer, bool nearest, ShadowMethodText *made)
 {
-    (void)render, (void)nearest;
+    (void)renderer, (void)nearest;
     made->texts[0] = "vec3 testLight(int number, ivec2 views, vec3 point, vec3 side, float size, "
                      "ivec2 pixel)\n{\n    return vec3(0.25 + 0.5 * float(number));\n}\n";
     made->calls[SHADOW_CALL_light] = "testLight";
 }
 
-static void share_of_views(const Render *render, bool nearest, ShadowMethodText *made)
+static void share_of_views(const Renderer *renderer, bool nearest, ShadowMethodText *made)
 {
-    (void)render, (void)nearest;
+    (void)renderer, (void)nearest;
     made->texts[0] = "SHARE testShare(int first, int count, vec3 point, vec3 normal, float size)\n"
                      "{\n    return SHARE(first == 0 ? 0.125 : 0.5);\n}\n";
     made->calls[SHADOW_CALL_view] = "testShare";
@@ -58,13 +58,13 @@ static float *light_of(GlContext *gl, const Scene *scene, const ShadowMethod *me
     const ShadowMethod *rows[SHADOW_METHODS_MAX] = {NULL};
     for (int i = 0; shadow_methods[i]; i++)
         rows[i] = method && method->word == shadow_methods[i]->word ? method : shadow_methods[i];
-    Render *render = render_open(
-        gl, &(RenderOptions){
+    Renderer *renderer = renderer_open(
+        gl, &(RendererOptions){
                 .compile = &options, .view = "light", .deep = true, .no_shadows = method == NULL});
-    assert_non_null(render);
-    render->shadows->methods.rows = rows;
-    float *light = frame_floats_by(gl, render, scene);
-    render_close(render);
+    assert_non_null(renderer);
+    renderer->shadows->methods.rows = rows;
+    float *light = frame_floats_by(gl, renderer, scene);
+    renderer_close(renderer);
     return light;
 }
 

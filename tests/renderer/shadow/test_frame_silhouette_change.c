@@ -15,7 +15,7 @@ static void changes(void **state)
     MatcDocument *document;
     GlContext *gl = frame_context();
     Scene *scene = shadow_scene_mixed(mixed, ".5", &options, &document);
-    frame_change_moves(gl, &(RenderOptions){.compile = &options, .view = "light"}, scene,
+    frame_change_moves(gl, &(RendererOptions){.compile = &options, .view = "light"}, scene,
                        &(FrameMoves){3.25, 1, 0, -.5}); /* maps are fitted to the object */
     frame_forget(scene, document);
     gl_close(gl);
@@ -26,17 +26,17 @@ static void facets(void **state)
 {
     (void)state;
     const MatcOptions options = frame_exact_options();
-    const RenderOptions how = {.compile = &options, .view = "light", .opaque = true};
+    const RendererOptions how = {.compile = &options, .view = "light", .opaque = true};
     MatcDocument *document;
     GlContext *gl = frame_context();
     Scene *scene = shadow_scene_mixed(mixed, ".5", &options, &document);
-    Render *render = render_open(gl, &how);
-    assert_true(render && render_scene(render, scene));
-    free(frame_change_next(render));
+    Renderer *renderer = renderer_open(gl, &how);
+    assert_true(renderer && renderer_set_scene(renderer, scene));
+    free(frame_change_next(renderer));
     scene->objects[1].world_from_local.m[12] += .5;
-    assert_true(render_changed_objects(render, 1, 1));
-    frame_change_assert(gl, &how, render, scene);
-    render_close(render);
+    assert_true(renderer_changed_objects(renderer, 1, 1));
+    frame_change_assert(gl, &how, renderer, scene);
+    renderer_close(renderer);
     frame_forget(scene, document);
     gl_close(gl);
 }

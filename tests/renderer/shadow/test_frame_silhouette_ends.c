@@ -90,7 +90,8 @@ static void end_is_true(GlContext *gl, const Case *c)
     SceneMesh mesh = {0};
     if (c->lean > 0)
         lean_ground(scene, c->lean * PI / 180, vertices, &mesh);
-    float *light = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "light"});
+    float *light =
+        frame_floats(gl, scene, &(RendererOptions){.compile = &options, .view = "light"});
     Tracer tracer = reference_open(scene);
     for (int i = 0; i < PIXELS; i++) {
         const Ray ray = reference_ray(scene, i % WIDTH + .5, i / WIDTH + .5);

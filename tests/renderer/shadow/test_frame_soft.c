@@ -157,13 +157,13 @@ static void add_pixel(const Judge *judge, int pixel, const float *rgba, Error *e
     error->soft += shares[0] > .01 && shares[0] < .99;
 }
 
-static Error compare_case(Render *render, const Case *c, const MatcOptions *options)
+static Error compare_case(Renderer *renderer, const Case *c, const MatcOptions *options)
 {
     MatcDocument *document;
     Error error = {0};
     Scene *scene = scene_of(c, options, &document);
-    assert_true(render_scene(render, scene));
-    float *rgba = frame_change_next(render);
+    assert_true(renderer_set_scene(renderer, scene));
+    float *rgba = frame_change_next(renderer);
     Tracer tracer = reference_open(scene);
     const Judge judge = {c, &tracer, options};
     for (int i = (int)(seed % STEP); i < WIDTH * HEIGHT; i += STEP)
@@ -179,19 +179,20 @@ static void as_embree(void **state)
     (void)state;
     const MatcOptions options = lean_options();
     GlContext *gl = frame_context();
-    Render *render = render_open(gl, &(RenderOptions){.compile = &options, .view = "light"});
-    assert_non_null(render);
+    Renderer *renderer =
+        renderer_open(gl, &(RendererOptions){.compile = &options, .view = "light"});
+    assert_non_null(renderer);
     int faults = 0;
     for (int i = 0; i < CASES; i++) {
         const Case *c = &cases[i];
-        const Error e = compare_case(render, c, &options);
+        const Error e = compare_case(renderer, c, &options);
         const double rms = sqrt(e.squares / e.count);
         print_message("%-16s %4d pixels, %4d soft, RMS %.4f, most %.3f\n", c->name, e.count, e.soft,
                       rms, e.most);
         assert_true(e.count > 200);
         faults += map_size == MAPS && (rms > 2 * c->rms || e.most > 2 * c->most);
     }
-    render_close(render);
+    renderer_close(renderer);
     gl_close(gl);
     assert_int_equal(faults, 0);
 }
@@ -206,7 +207,8 @@ static void draw_both(GlContext *gl, const Case *c, float *pictures[2])
     Scene *scene = scene_of(c, &options, &document);
     for (int i = 0; i < 2; i++)
         pictures[i] = frame_floats(
-            gl, scene, &(RenderOptions){.compile = &options, .view = "light", .no_shadows = i > 0});
+            gl, scene,
+            &(RendererOptions){.compile = &options, .view = "light", .no_shadows = i > 0});
     frame_forget(scene, document);
 }
 
@@ -257,7 +259,7 @@ static void changes(void **state)
     MatcDocument *document;
     GlContext *gl = frame_context();
     Scene *scene = scene_of(&moved, &options, &document);
-    frame_change_moves(gl, &(RenderOptions){.compile = &options, .view = "light"}, scene,
+    frame_change_moves(gl, &(RendererOptions){.compile = &options, .view = "light"}, scene,
                        &(FrameMoves){.25, 0, 2, .5});
     frame_forget(scene, document);
     gl_close(gl);

@@ -218,28 +218,30 @@ static void what_changes_is_as_new(void **state)
                                  {2, WORD_Shadows_none, .1},        {1, WORD_Shadows_none, 0},
                                  {0, WORD_Shadows_silhouette, -.2}, {1, WORD_Shadows_hybrid, 0}};
     const MatcOptions options = frame_exact_options();
-    const RenderOptions how = {.compile = &options, .view = "light"};
+    const RendererOptions how = {.compile = &options, .view = "light"};
     GlContext *gl = frame_context_of(GL_KIND_osmesa);
     MatcDocument *document;
     char text[4096];
     snprintf(text, sizeof text, SEEN CHANGING, "0");
     Scene *scene = frame_scene(text, &options, &document);
-    Render *render = render_open(gl, &how);
+    Renderer *renderer = renderer_open(gl, &how);
     const size_t floats = 4 * (size_t)scene->width * (size_t)scene->height;
     float *changed = malloc(floats * sizeof *changed);
-    assert_true(changed && render && render_scene(render, scene) && render_frame(render));
+    assert_true(changed && renderer && renderer_set_scene(renderer, scene) &&
+                renderer_frame(renderer));
     for (size_t step = 0; step < sizeof steps / sizeof *steps; step++) {
         const Step *next = &steps[step];
         scene->objects[1].world_from_local.m[12] += next->moved;
         scene->lights[next->light].position[0] += .1;
         scene->lights[next->light].shadows = next->method;
-        assert_true(render_changed(render, RENDER_LIGHTS) && render_changed_objects(render, 1, 1));
-        assert_true(render_frame(render) && render_read(render, changed));
+        assert_true(renderer_changed(renderer, RENDERER_LIGHTS) &&
+                    renderer_changed_objects(renderer, 1, 1));
+        assert_true(renderer_frame(renderer) && renderer_read(renderer, changed));
         float *anew = frame_floats(gl, scene, &how);
         assert_memory_equal(changed, anew, floats * sizeof *anew);
         free(anew);
     }
-    render_close(render);
+    renderer_close(renderer);
     free(changed);
     frame_forget(scene, document);
     gl_close(gl);
@@ -260,11 +262,11 @@ static void other_paths_are_refused(void **state)
                       "hybrid }]\nobjects:\n" THINGS,
                  "0", k ? "copy" : "fetch");
         Scene *scene = frame_scene(text, &options, &document);
-        Render *render = render_open(gl, &(RenderOptions){.compile = &options});
-        assert_false(render_scene(render, scene));
+        Renderer *renderer = renderer_open(gl, &(RendererOptions){.compile = &options});
+        assert_false(renderer_set_scene(renderer, scene));
         assert_string_equal(
             gl->error, "shadow volumes that silhouettes cut come by the path compute, or auto");
-        render_close(render);
+        renderer_close(renderer);
         frame_forget(scene, document);
     }
     gl_close(gl);

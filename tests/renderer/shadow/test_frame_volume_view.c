@@ -1,7 +1,7 @@
 /* Views of shadow volumes and of objects as lines: what they cover and how light they are by closed
  * forms; what they leave as it is; changes, tiles, and what is refused. */
 #include "tests/test.h"
-#include "runtime/render/render.h"
+#include "runtime/renderer/renderer.h"
 #include "tests/frame/frame_draw.h"
 #include <math.h>
 #include <stdio.h>
@@ -43,7 +43,7 @@ static Drawn open_scene(const char *text)
 
 static float *draw(const Drawn *d, const char *view)
 {
-    return frame_floats(d->gl, d->scene, &(RenderOptions){.compile = &d->compile, .view = view});
+    return frame_floats(d->gl, d->scene, &(RendererOptions){.compile = &d->compile, .view = view});
 }
 
 static void close_scene(Drawn *d)
@@ -224,21 +224,22 @@ static void changes_and_tiles(void **state)
     const double place = d.scene->objects[0].world_from_local.m[12],
                  eye = d.scene->camera.position[2];
     for (size_t i = 0; i < sizeof views / sizeof *views; i++) {
-        const RenderOptions how = {
-            .compile = &d.compile, .view = views[i], .edges = RENDER_EDGES_coverage};
-        RenderOptions tiles = how;
-        Render *render = render_open(d.gl, &how);
+        const RendererOptions how = {
+            .compile = &d.compile, .view = views[i], .edges = RENDERER_EDGES_coverage};
+        RendererOptions tiles = how;
+        Renderer *renderer = renderer_open(d.gl, &how);
         float *changed = malloc(8 * sizeof *changed * PIXELS), *again = changed + 4 * PIXELS;
         d.scene->objects[0].world_from_local.m[12] = place;
         d.scene->camera.position[2] = eye;
-        assert_true(render && render_scene(render, d.scene) && render_frame(render));
+        assert_true(renderer && renderer_set_scene(renderer, d.scene) && renderer_frame(renderer));
         d.scene->objects[0].world_from_local.m[12] += .4;
         d.scene->camera.position[2] += .3;
-        assert_true(render_changed_objects(render, 0, 1) && render_changed(render, RENDER_CAMERA) &&
-                    render_frame(render) && render_read(render, changed));
-        assert_true(render_frame(render) && render_read(render, again));
+        assert_true(renderer_changed_objects(renderer, 0, 1) &&
+                    renderer_changed(renderer, RENDERER_CAMERA) && renderer_frame(renderer) &&
+                    renderer_read(renderer, changed));
+        assert_true(renderer_frame(renderer) && renderer_read(renderer, again));
         assert_memory_equal(changed, again, 4 * sizeof *again * PIXELS);
-        render_close(render);
+        renderer_close(renderer);
         float *anew = frame_floats(d.gl, d.scene, &how);
         assert_memory_equal(changed, anew, 4 * sizeof *anew * PIXELS);
         int empty = 0;
@@ -282,14 +283,14 @@ static void what_is_refused(void **state)
         char text[2048];
         snprintf(text, sizeof text, SCENE(FRONT, "%s"), "perfect", cases[i].light);
         Drawn d = open_scene(text);
-        const RenderOptions how = {
+        const RendererOptions how = {
             .compile = &d.compile, .view = cases[i].view, .linear = cases[i].linear};
-        Render *render = render_open(d.gl, &how);
-        assert_non_null(render);
-        assert_int_equal(render_scene(render, d.scene), !cases[i].said);
+        Renderer *renderer = renderer_open(d.gl, &how);
+        assert_non_null(renderer);
+        assert_int_equal(renderer_set_scene(renderer, d.scene), !cases[i].said);
         if (cases[i].said)
             assert_string_equal(d.gl->error, cases[i].said);
-        render_close(render);
+        renderer_close(renderer);
         close_scene(&d);
     }
 }

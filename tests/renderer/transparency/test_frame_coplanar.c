@@ -52,7 +52,7 @@ static float *draw(GlContext *gl, int number, double below, const char *way)
              cases[number].turn);
     Scene *scene = frame_scene(text, &options, &document);
     float *rgba = frame_floats(
-        gl, scene, &(RenderOptions){.compile = &options, .view = "light", .transparency = way});
+        gl, scene, &(RendererOptions){.compile = &options, .view = "light", .transparency = way});
     frame_forget(scene, document);
     return rgba;
 }

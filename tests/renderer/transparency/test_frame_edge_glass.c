@@ -61,8 +61,9 @@ static void nothing_is_worse(void **state)
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         MatcDocument *document;
         Scene *scene = frame_scene(cases[i].text, &options, &document);
-        RenderOptions ways[] = {
-            {.samples = SAMPLES}, {.edges = RENDER_EDGES_none}, {.edges = RENDER_EDGES_coverage}};
+        RendererOptions ways[] = {{.samples = SAMPLES},
+                                  {.edges = RENDERER_EDGES_none},
+                                  {.edges = RENDERER_EDGES_coverage}};
         float *pictures[3];
         for (int way = 0; way < 3; way++) {
             ways[way].compile = &options;

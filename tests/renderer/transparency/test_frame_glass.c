@@ -87,7 +87,7 @@ static void grow_old(GlContext *gl)
 
 typedef struct {
     const char *name;
-    RenderOptions options;
+    RendererOptions options;
     bool old, other; /* other: it has no program over all pixels in common with the first */
 } Way;
 static const Way ways[] = {
@@ -105,7 +105,7 @@ static struct {
     MatcLayout *layout;
     MatcOptions options;
     GlContext *gl[WAYS];
-    Render *render[WAYS];
+    Renderer *renderer[WAYS];
 } all;
 
 static int set_up(void **state)
@@ -121,7 +121,7 @@ static int tear_down(void **state)
     for (int i = 0; i < WAYS; i++) {
         if (all.gl[i])
             gl_use(all.gl[i]);
-        render_close(all.render[i]);
+        renderer_close(all.renderer[i]);
         gl_close(all.gl[i]);
     }
     matc_layout_free(all.layout);
@@ -131,14 +131,14 @@ static int tear_down(void **state)
 /* A context each: that of old drivers is another. */
 static void open_way(int way)
 {
-    RenderOptions options = ways[way].options;
+    RendererOptions options = ways[way].options;
     options.compile = &all.options;
     options.view = "light";
     options.no_shadows = true;
     all.gl[way] = frame_context();
     if (ways[way].old)
         grow_old(all.gl[way]);
-    all.render[way] = render_open(all.gl[way], &options);
+    all.renderer[way] = renderer_open(all.gl[way], &options);
 }
 
 /* The light of a scene, by one of the ways. */
@@ -147,7 +147,7 @@ static float *draw_by(int way, const Scene *scene)
     if (!all.gl[way])
         open_way(way);
     gl_use(all.gl[way]);
-    return frame_floats_by(all.gl[way], all.render[way], scene);
+    return frame_floats_by(all.gl[way], all.renderer[way], scene);
 }
 
 static void layers_are_their_closed_form(void **state)
@@ -216,7 +216,7 @@ static void lists_hold_words_of_each_format(void **state)
         MatcDocument *document;
         Scene *scene = frame_scene(text, &options, &document);
         GlContext *gl = frame_context();
-        const RenderOptions with = {
+        const RendererOptions with = {
             .compile = &options, .view = "light", .transparency = "lists", .no_shadows = true};
         float *rgba = frame_floats(gl, scene, &with);
         const double off = farthest(rgba, SIZE * SIZE, expected);
@@ -410,7 +410,7 @@ static void room(void **state)
 {
     (void)state;
     static const struct {
-        RenderOptions options;
+        RendererOptions options;
         const char *said; /* by the graph, or of the fault */
     } cases[] = {
         {{.transparency = NULL}, "a buffer 4, and 16 a fragment: 624 bytes for 24"},
@@ -438,7 +438,7 @@ static void room(void **state)
                                &options, &document);
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         GlContext *gl = frame_context();
-        RenderOptions with = cases[i].options;
+        RendererOptions with = cases[i].options;
         with.compile = &options;
         char *said = frame_graph_or_fault(gl, scene, &with);
         if (!strstr(said, cases[i].said))

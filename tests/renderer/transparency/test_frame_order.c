@@ -1,7 +1,7 @@
 /* Transparent objects are drawn from the farthest on where their fragments go to lists, for any
  * camera; the picture does not depend on it. */
 #include "tests/test.h"
-#include "runtime/frame/frame.h"
+#include "runtime/frame_graph/frame.h"
 #include "tests/frame/frame_draw.h"
 #include <math.h>
 #include <stdio.h>
@@ -36,9 +36,9 @@ static void write_scene(char *text, size_t room)
 }
 
 /* Heights of each group's objects: greater ones are nearer, or farther. */
-static void assert_order(const Render *render, bool from_above)
+static void assert_order(const Renderer *renderer, bool from_above)
 {
-    const GpuScene *gpu_scene = &render->gpu_scene;
+    const GpuScene *gpu_scene = &renderer->gpu_scene;
     int drawn = 0;
     assert_true(gpu_scene->instances);
     for (int i = gpu_scene->opaque_count; i < gpu_scene->surface_count; i++) {
@@ -46,7 +46,7 @@ static void assert_order(const Render *render, bool from_above)
         for (int k = 0; k < gpu_scene->surfaces[i].seen; k++, drawn++) {
             const int object =
                 gpu_scene->places[gpu_scene->list[gpu_scene->surfaces[i].first_seen + k]].object;
-            const SceneObject *o = &render->scene->objects[object];
+            const SceneObject *o = &renderer->scene->objects[object];
             const double height = o->world_from_local.m[14] +
                                   (o->kind == SCENE_Parallelogram ? o->numbers[2] / 2 : 0);
             assert_true(from_above ? height >= before : height <= before);
@@ -56,10 +56,10 @@ static void assert_order(const Render *render, bool from_above)
     assert_int_equal(drawn, PANES + 1);
 }
 
-static float *read_frame(GlContext *gl, Render *render)
+static float *read_frame(GlContext *gl, Renderer *renderer)
 {
     float *rgba = calloc(LANES, sizeof *rgba);
-    if (!render_frame(render) || !render_read(render, rgba))
+    if (!renderer_frame(renderer) || !renderer_read(renderer, rgba))
         fail_msg("%s", gl->error);
     return rgba;
 }
@@ -73,26 +73,26 @@ static void farthest_first(void **state)
     GlContext *gl = frame_context();
     write_scene(text, sizeof text);
     Scene *scene = frame_scene(text, &options, &document);
-    Render *lists = render_open(
-        gl, &(RenderOptions){.compile = &options, .view = "light", .transparency = "lists"});
-    if (!lists || !render_scene(lists, scene))
+    Renderer *lists = renderer_open(
+        gl, &(RendererOptions){.compile = &options, .view = "light", .transparency = "lists"});
+    if (!lists || !renderer_set_scene(lists, scene))
         fail_msg("%s", gl->error);
     for (int below = 0; below < 2; below++) {
         scene->camera.position[2] = below ? -60 : 60;
         scene->camera.back[2] = below ? -1 : 1;
         scene->camera.right[0] = below ? -1 : 1;
-        assert_true(render_changed(lists, RENDER_CAMERA));
+        assert_true(renderer_changed(lists, RENDERER_CAMERA));
         float *rgba = read_frame(gl, lists);
         assert_order(lists, !below);
         float *peeled = frame_floats(
             gl, scene,
-            &(RenderOptions){.compile = &options, .view = "light", .transparency = "peeling"});
+            &(RendererOptions){.compile = &options, .view = "light", .transparency = "peeling"});
         for (int i = 0; i < LANES; i++)
             assert_true(fabsf(rgba[i] - peeled[i]) <= 2e-6f * fmaxf(1, fabsf(peeled[i])));
         free(rgba);
         free(peeled);
     }
-    render_close(lists);
+    renderer_close(lists);
     gl_close(gl);
     frame_forget(scene, document);
 }
@@ -133,9 +133,9 @@ static void runs_in_turns(void **state)
     float *pictures[2];
     for (int i = 0; i < 2; i++)
         pictures[i] = frame_floats(gl, scene,
-                                   &(RenderOptions){.compile = &options,
-                                                    .view = "light",
-                                                    .transparency = i ? "peeling" : "lists"});
+                                   &(RendererOptions){.compile = &options,
+                                                      .view = "light",
+                                                      .transparency = i ? "peeling" : "lists"});
     for (int i = 0; i < LANES; i++)
         assert_true(fabsf(pictures[0][i] - pictures[1][i]) <=
                     4e-6f * fmaxf(1, fabsf(pictures[1][i])));
@@ -174,7 +174,8 @@ static void every_layer_is_a_run(void **state)
             passes[(i + 2) % 3]);
     Scene *scene = frame_scene(text, &options, &document);
     float *lit = frame_floats(
-        gl, scene, &(RenderOptions){.compile = &options, .view = "light", .transparency = "lists"});
+        gl, scene,
+        &(RendererOptions){.compile = &options, .view = "light", .transparency = "lists"});
     double left[3] = {1, 1, 1}, sum[3] = {0};
     for (int i = 0; i < RUNS; i++)
         for (int lane = 0; lane < 3; lane++) {

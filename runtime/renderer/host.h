@@ -1,0 +1,15 @@
+/* The handles of matc_render.h, shared by matc_scene.c and matc_render.c. */
+#ifndef MATC_RENDERER_HANDLES_H
+#define MATC_RENDERER_HANDLES_H
+#include "runtime/renderer/matc_render.h"
+#include "runtime/scene/scene.h"
+
+struct MatcScene {
+    Scene *scene;
+    /* the caller's; owns the scene's memory, so it is freed after the scene */
+    MatcDocument *document;
+    /* capacities of arrays with additions; 0: nothing was added */
+    size_t object_room, mesh_room, material_room;
+    char error[256];
+};
+#endif
