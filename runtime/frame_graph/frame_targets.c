@@ -126,7 +126,7 @@ static const struct {
     [FRAME_DRAW_light] = {FRAME_TARGET_light, -1},
     [FRAME_DRAW_rays] = {FRAME_TARGET_rays, -1},
     [FRAME_DRAW_smooth] = {FRAME_TARGET_smooth, -1},
-    [FRAME_DRAW_open] = {FRAME_TARGET_open, -1},
+    [FRAME_DRAW_ao] = {FRAME_TARGET_ao, -1},
     [FRAME_DRAW_edge] = {FRAME_TARGET_edge, -1},
     [FRAME_DRAW_mask] = {FRAME_TARGET_mask, FRAME_TARGET_depth},
     [FRAME_DRAW_shown] = {FRAME_TARGET_shown, -1}};

@@ -20,9 +20,9 @@ typedef enum {
     FRAME_TARGET_far,       /* far-field light in a buffer: sums of the pass gather */
     FRAME_TARGET_light,
     FRAME_TARGET_rays,    /* as `open`, at the resolution of the rays */
-    FRAME_TARGET_history, /* temporal accumulation: pass_history.c owns its textures */
+    FRAME_TARGET_history, /* temporal accumulation: pass_temporal.c owns its textures */
     FRAME_TARGET_smooth,  /* denoised along rows */
-    FRAME_TARGET_open,    /* ambient occlusion and indirect light */
+    FRAME_TARGET_ao,      /* ambient occlusion and indirect light */
     FRAME_TARGET_edge,
     FRAME_TARGET_mask,  /* a bit per light with shadow volumes: set where it is occluded */
     FRAME_TARGET_layer, /* G-buffer of one layer of transparent fragments */
@@ -44,7 +44,7 @@ typedef enum {
     FRAME_DRAW_light,
     FRAME_DRAW_rays,
     FRAME_DRAW_smooth,
-    FRAME_DRAW_open,
+    FRAME_DRAW_ao,
     FRAME_DRAW_edge,
     FRAME_DRAW_mask, /* with depth and stencil */
     FRAME_DRAW_shown,

@@ -29,7 +29,7 @@ static void pass_combine_place(Renderer *renderer)
 static void pass_combine_draw(Renderer *renderer)
 {
     lighting_bind(renderer, FRAME_TARGET_gbuffer, FRAME_TARGET_depth);
-    texture_bind(renderer->gl, frame_texture(renderer, FRAME_TARGET_open, 0), LIGHTING_FREE_UNIT);
+    texture_bind(renderer->gl, frame_texture(renderer, FRAME_TARGET_ao, 0), LIGHTING_FREE_UNIT);
     screen_pass_run(&renderer->indirect->combine, &renderer->targets.draws[FRAME_DRAW_light],
                     &renderer->screen);
 }
@@ -40,7 +40,7 @@ static bool pass_combine_changed(Renderer *renderer, unsigned what)
 }
 
 const FramePass pass_combine = {
-    .plan = {"combine", .reads = FRAME_BIT(depth) | FRAME_BIT(gbuffer) | FRAME_BIT(open),
+    .plan = {"combine", .reads = FRAME_BIT(depth) | FRAME_BIT(gbuffer) | FRAME_BIT(ao),
              .changes = FRAME_BIT(light)},
     .when = "light is indirect",
     .needed = pass_combine_needed,

@@ -29,7 +29,7 @@ static const FramePass *const passes[] = {
     &pass_gather,
     &pass_light,
     &pass_rays,
-    &pass_history,
+    &pass_temporal,
     &pass_smooth,
     &pass_spread,
     &pass_combine,
@@ -71,7 +71,7 @@ static unsigned wanted(const Renderer *renderer)
     if (pass_positions_is_view(view))
         return FRAME_BIT(positions);
     if (view && indirect_view_lanes(view))
-        return FRAME_BIT(open) | kept;
+        return FRAME_BIT(ao) | kept;
     for (int target = 0; view && target < FRAME_TARGET_COUNT; target++)
         if (target != FRAME_TARGET_gbuffer && target != FRAME_TARGET_shadow &&
             !strcmp(view, frame_target_name((FrameTarget)target)))

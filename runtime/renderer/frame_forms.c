@@ -37,7 +37,7 @@ static const char *format_of(const Renderer *renderer, FrameTarget target, int t
                                                  [FRAME_TARGET_light] = light,
                                                  [FRAME_TARGET_rays] = open,
                                                  [FRAME_TARGET_smooth] = open,
-                                                 [FRAME_TARGET_open] = open,
+                                                 [FRAME_TARGET_ao] = open,
                                                  [FRAME_TARGET_tools] = light,
                                                  [FRAME_TARGET_cubes] = "RGBA8",
                                                  [FRAME_TARGET_positions] = "RGBA8",

@@ -71,7 +71,7 @@ static bool is_whole(const Renderer *renderer)
 {
     const unsigned there = renderer->targets.plan.there;
     return there & 1u << FRAME_TARGET_positions ||
-           (there & 1u << FRAME_TARGET_open && indirect_margin(renderer) < 0);
+           (there & 1u << FRAME_TARGET_ao && indirect_margin(renderer) < 0);
 }
 
 /* Returns the guard band of a tile: antialiasing reads adjacent pixels, indirect light pixels
@@ -80,7 +80,7 @@ static int margin_of(const Renderer *renderer)
 {
     const unsigned there = renderer->targets.plan.there;
     const int step = step_of(renderer), beside = there & 1u << FRAME_TARGET_edge ? step : 0;
-    const int around = there & 1u << FRAME_TARGET_open && !is_whole(renderer)
+    const int around = there & 1u << FRAME_TARGET_ao && !is_whole(renderer)
                            ? indirect_margin(renderer) + beside
                            : 0;
     return around > beside ? round_up(around, step) : beside;

@@ -17,7 +17,7 @@ static bool set(Renderer *renderer, int material, const MaterialValue *value)
     const bool nodes = radiance_param(renderer, material, value);
     indirect_forget(renderer);
     /* alpha-tested surfaces may have changed */
-    indirect_doubt(renderer, INDIRECT_DOUBT_light | INDIRECT_DOUBT_openness);
+    indirect_invalidate(renderer, INDIRECT_DIRTY_light | INDIRECT_DIRTY_ao);
     return gpu_scene_set(&source, &renderer->gpu_scene, material, value) || sheets || nodes;
 }
 

@@ -50,7 +50,7 @@ static bool read_samples(Renderer *renderer, float *rgba)
     if (!strcmp(view, "depth"))
         return read_depth(renderer, true, rgba);
     if (indirect_view_lanes(view))
-        return framebuffer_read(renderer->gl, &renderer->targets.draws[FRAME_DRAW_open], 0, rgba) &&
+        return framebuffer_read(renderer->gl, &renderer->targets.draws[FRAME_DRAW_ao], 0, rgba) &&
                (indirect_view_lanes(view) > 1 || show_last(renderer, rgba));
     if (voxels_view_level(view) >= 0)
         return framebuffer_read(renderer->gl, &renderer->targets.draws[FRAME_DRAW_cubes], 0, rgba);

@@ -84,7 +84,7 @@ static void add_box(const VoxelRange *added, VoxelRange *boxes, int *count)
     int i = 0;
     while (i < *count && !meet(added, &boxes[i]))
         i++;
-    if (i == *count && *count < HISTORY_BOXES_MOST) {
+    if (i == *count && *count < TEMPORAL_BOXES_MOST) {
         boxes[(*count)++] = *added;
         return;
     }
@@ -109,11 +109,11 @@ static VoxelRange range_of(const Renderer *renderer, int object, const SceneMatr
 
 static void put_boxes(const VoxelRange *boxes, int count, float (*block)[4])
 {
-    block[HISTORY_COUNTS][0] = (float)count;
+    block[TEMPORAL_COUNTS][0] = (float)count;
     for (int i = 0; i < count; i++)
         for (int k = 0; k < 3; k++) {
-            block[HISTORY_BOXES + 2 * i][k] = (float)fmax(boxes[i].low[k], -1e30);
-            block[HISTORY_BOXES + 2 * i + 1][k] = (float)fmin(boxes[i].high[k], 1e30);
+            block[TEMPORAL_BOXES + 2 * i][k] = (float)fmax(boxes[i].low[k], -1e30);
+            block[TEMPORAL_BOXES + 2 * i + 1][k] = (float)fmin(boxes[i].high[k], 1e30);
         }
 }
 
@@ -172,20 +172,20 @@ static void draw_number(Renderer *renderer, int object, int number)
  * one past the last, which marks an unknown motion. */
 static void number_object(Renderer *renderer, const double was[16], int object, float (*block)[4])
 {
-    const int next = (int)block[HISTORY_COUNTS][1], place = renderer->gpu_scene.place_of[object];
+    const int next = (int)block[TEMPORAL_COUNTS][1], place = renderer->gpu_scene.place_of[object];
     const SceneMatrix *matrix = &renderer->scene->objects[object].world_from_local;
     if (place < 0 || renderer->gpu_scene.places[place].transparent)
         return;
     const CullBox *box = &renderer->gpu_scene.boxes[renderer->gpu_scene.places[place].mesh];
     if (!cull_sees(&renderer->volume, box, matrix))
         return;
-    const bool known = next < HISTORY_MOTIONS_MOST &&
-                       find_motion(renderer, was, object, block + HISTORY_MOTIONS + 4 * next);
+    const bool known = next < TEMPORAL_MOTIONS_MOST &&
+                       find_motion(renderer, was, object, block + TEMPORAL_MOTIONS + 4 * next);
     if (known)
         put_step(was, box, matrix, &renderer->indirect->motion.kept[object],
-                 block[HISTORY_STEPS + next]);
-    block[HISTORY_COUNTS][1] += known;
-    draw_number(renderer, object, known ? next + 1 : HISTORY_MOTIONS_MOST + 1);
+                 block[TEMPORAL_STEPS + next]);
+    block[TEMPORAL_COUNTS][1] += known;
+    draw_number(renderer, object, known ? next + 1 : TEMPORAL_MOTIONS_MOST + 1);
 }
 
 static bool has_moved(const Renderer *renderer, int object)
@@ -214,9 +214,9 @@ static bool begin(Renderer *renderer, IndirectMotion *motion)
 bool indirect_motion_draw(Renderer *renderer, const double was[16], float (*block)[4])
 {
     IndirectMotion *motion = &renderer->indirect->motion;
-    VoxelRange boxes[HISTORY_BOXES_MOST];
+    VoxelRange boxes[TEMPORAL_BOXES_MOST];
     int count = 0;
-    memset(block[HISTORY_COUNTS], 0, sizeof *block);
+    memset(block[TEMPORAL_COUNTS], 0, sizeof *block);
     for (int i = motion->first; motion->kept && i < motion->end; i++) {
         if (!has_moved(renderer, i))
             continue;

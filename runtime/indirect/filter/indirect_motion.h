@@ -3,7 +3,7 @@
 #ifndef MATC_INDIRECT_INDIRECT_MOTION_H
 #define MATC_INDIRECT_INDIRECT_MOTION_H
 #include "runtime/indirect/settings/indirect_state.h"
-#include "gen/history_layout.h"
+#include "gen/temporal_layout.h"
 #include "runtime/frame_graph/renderer_options.h"
 
 /* Returns false if memory runs out; see the context's error. */

@@ -50,7 +50,7 @@ static bool make(Renderer *renderer, bool spread, int coarse, ScreenPass *pass)
                  spread ? "#define SMOOTH_SPREAD\n" : "",
                  atrous && spread ? "#undef INDIRECT_FILTER\n#define INDIRECT_FILTER 0\n" : "",
                  render_text_indirect_place, render_text_pass_smooth},
-        .format = frame_format(renderer, FRAME_TARGET_open, 0),
+        .format = frame_format(renderer, FRAME_TARGET_ao, 0),
         .compute = renderer->compute};
     if (!screen_pass_make(renderer->store, &text, pass))
         return false;
@@ -86,7 +86,7 @@ static bool pass_spread_make(Renderer *renderer)
 {
     const int coarse = indirect_coarse(renderer);
     return (!is_atrous(renderer) ||
-            make_part(renderer, FRAME_TARGET_open, coarse, &renderer->indirect->between)) &&
+            make_part(renderer, FRAME_TARGET_ao, coarse, &renderer->indirect->between)) &&
            (!is_spread(renderer) || make(renderer, true, coarse, &renderer->indirect->spread));
 }
 
@@ -112,7 +112,7 @@ static void draw_level(Renderer *renderer, int level)
     ScreenPass *pass = &renderer->indirect->smooth;
     material_set_number(&pass->material, "smooth_level", (float)level);
     run(renderer, pass,
-        level ? frame_texture(renderer, level % 2 ? FRAME_TARGET_smooth : FRAME_TARGET_open, 0)
+        level ? frame_texture(renderer, level % 2 ? FRAME_TARGET_smooth : FRAME_TARGET_ao, 0)
               : found(renderer),
         level % 2 ? &renderer->indirect->between : &renderer->targets.draws[FRAME_DRAW_smooth]);
 }
@@ -138,7 +138,7 @@ static void spread(Renderer *renderer)
             indirect_moves(renderer) ? &renderer->indirect->moving.spread
                                      : &renderer->indirect->spread,
             frame_texture(renderer, FRAME_TARGET_smooth, 0),
-            &renderer->targets.draws[FRAME_DRAW_open]);
+            &renderer->targets.draws[FRAME_DRAW_ao]);
 }
 
 /* Denoises, then repeats all three passes for each further bounce: surfaces then reflect the
@@ -180,7 +180,7 @@ const FramePass pass_smooth = {
 
 const FramePass pass_spread = {
     .plan = {"spread", .reads = FRAME_BIT(depth) | FRAME_BIT(gbuffer) | FRAME_BIT(smooth),
-             .fills = FRAME_BIT(open)},
+             .fills = FRAME_BIT(ao)},
     .when = "what rays found is smoothed",
     .needed = pass_smooth_needed,
     .request = pass_spread_request,

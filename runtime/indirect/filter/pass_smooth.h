@@ -6,5 +6,5 @@
 /* Returns the denoiser's radius in pixels of the picture. */
 int pass_smooth_reach(const Renderer *renderer);
 /* The rows of the frame graph. */
-extern const FramePass pass_history, pass_smooth, pass_spread;
+extern const FramePass pass_temporal, pass_smooth, pass_spread;
 #endif

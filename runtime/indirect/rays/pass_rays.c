@@ -93,7 +93,7 @@ static bool make(Renderer *renderer, bool again, int coarse, ScreenPass *pass)
         planes[INDIRECT_PLANES_DEFINITION];
     char around[INDIRECT_AROUND_DEFINITION];
     const bool kept = radiance_needed(renderer);
-    ScreenPassText text = {.format = frame_format(renderer, FRAME_TARGET_open, 0),
+    ScreenPassText text = {.format = frame_format(renderer, FRAME_TARGET_ao, 0),
                            .compute = renderer->compute};
     indirect_define(renderer, coarse, defined);
     radiance_define(renderer, cached);
@@ -143,7 +143,7 @@ static void run(Renderer *renderer, ScreenPass *pass)
     }
     indirect_around_bind(renderer, SKY_UNIT);
     const Framebuffer *target =
-        &renderer->targets.draws[smoothed ? FRAME_DRAW_rays : FRAME_DRAW_open];
+        &renderer->targets.draws[smoothed ? FRAME_DRAW_rays : FRAME_DRAW_ao];
     screen_pass_run(pass, indirect_moves(renderer) ? &renderer->indirect->moving.found : target,
                     &renderer->screen);
 }
@@ -165,7 +165,7 @@ void pass_rays_draw(Renderer *renderer)
 
 void pass_rays_draw_again(Renderer *renderer)
 {
-    texture_bind(renderer->gl, frame_texture(renderer, FRAME_TARGET_open, 0), BEFORE_UNIT);
+    texture_bind(renderer->gl, frame_texture(renderer, FRAME_TARGET_ao, 0), BEFORE_UNIT);
     run(renderer,
         indirect_moves(renderer) ? &renderer->indirect->moving.again : &renderer->indirect->again);
 }
@@ -173,9 +173,9 @@ void pass_rays_draw_again(Renderer *renderer)
 static bool pass_rays_changed(Renderer *renderer, unsigned what)
 {
     pass_rays_place(renderer);
-    indirect_doubt(renderer, what & RENDERER_TIME ? INDIRECT_DOUBT_light | INDIRECT_DOUBT_openness
-                             : what & RENDERER_LIGHTS ? INDIRECT_DOUBT_light
-                                                      : 0);
+    indirect_invalidate(renderer, what & RENDERER_TIME ? INDIRECT_DIRTY_light | INDIRECT_DIRTY_ao
+                                  : what & RENDERER_LIGHTS ? INDIRECT_DIRTY_light
+                                                           : 0);
     return true;
 }
 
@@ -183,7 +183,7 @@ static bool pass_rays_moved(Renderer *renderer, int first, int count)
 {
     (void)first, (void)count;
     pass_rays_place(renderer);
-    indirect_doubt(renderer, INDIRECT_DOUBT_light);
+    indirect_invalidate(renderer, INDIRECT_DIRTY_light);
     return true;
 }
 
@@ -191,7 +191,7 @@ static bool pass_rays_moved(Renderer *renderer, int first, int count)
 static void pass_rays_request(const Renderer *renderer, FramePlanPass *row)
 {
     if (!indirect_is_smoothed(renderer))
-        row->fills = FRAME_BIT(open);
+        row->fills = FRAME_BIT(ao);
 }
 
 static void pass_rays_drawn(Renderer *renderer) { renderer->indirect->moving.on = false; }

@@ -125,7 +125,7 @@ void indirect_forget(Renderer *renderer)
     history->sets = 0;
 }
 
-void indirect_doubt(Renderer *renderer, unsigned doubts)
+void indirect_invalidate(Renderer *renderer, unsigned doubts)
 {
     renderer->indirect->history.doubts |= doubts;
     renderer->indirect->moving.on = true;

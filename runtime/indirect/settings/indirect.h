@@ -38,7 +38,7 @@ bool indirect_moves(const Renderer *renderer);
 /* -- Temporal accumulation */
 
 /* Accumulated samples that may be out of date: light from other surfaces, or ambient occlusion. */
-typedef enum { INDIRECT_DOUBT_light = 1, INDIRECT_DOUBT_openness = 2 } IndirectDoubt;
+typedef enum { INDIRECT_DIRTY_light = 1, INDIRECT_DIRTY_ao = 2 } IndirectDirty;
 
 /* Reports whether results of several frames, or of several sets of rays, are averaged. */
 bool indirect_keeps(const Renderer *renderer);
@@ -52,8 +52,8 @@ GLuint indirect_kept(const Renderer *renderer);
  * same surface. */
 void indirect_forget(Renderer *renderer);
 /* Lowers the weight of accumulated samples, more so near moved objects; `doubts` is a set of
- * IndirectDoubt. */
-void indirect_doubt(Renderer *renderer, unsigned doubts);
+ * IndirectDirty. */
+void indirect_invalidate(Renderer *renderer, unsigned doubts);
 /* Frees the resources of FrameIndirect. */
 void indirect_delete(Renderer *renderer);
 #endif

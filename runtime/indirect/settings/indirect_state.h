@@ -12,7 +12,7 @@ typedef struct {
     Framebuffer seen; /* motion ids, integers, 0 for none; made on the first move */
 } IndirectMotion;
 
-/* State of temporal accumulation: pass_history.c. */
+/* State of temporal accumulation: pass_temporal.c. */
 typedef struct {
     ScreenPass blend, place;
     Framebuffer values[2], places[2]; /* double buffered: one is read, the other written */
@@ -21,7 +21,7 @@ typedef struct {
     unsigned number;                  /* number of all sets so far */
     /* History exists; nothing has changed since; the wanted error is reached. */
     bool there, still, exact;
-    unsigned doubts;           /* bit set of IndirectDoubt: samples that may be out of date */
+    unsigned doubts;           /* bit set of IndirectDirty: samples that may be out of date */
     double eye_from_world[16]; /* view of the accumulated frame */
     float ray[4], depth[4];
 } IndirectHistory;

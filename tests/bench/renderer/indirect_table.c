@@ -259,18 +259,17 @@ static bool time_frame(const Bench *b, const char *keys, FrameTime *time)
     return fine;
 }
 
-/* Indirect light, and openness behind it. */
+/* Indirect light, and ambient occlusion behind it. */
 static bool find_values(const Bench *b, const char *keys, float *rgba)
 {
     Drawn drawn;
-    const bool fine =
-        open_drawn(b, keys, "indirect", &drawn) &&
-        framebuffer_read(b->gl, &drawn.render->targets.draws[FRAME_DRAW_open], 0, rgba);
+    const bool fine = open_drawn(b, keys, "indirect", &drawn) &&
+                      framebuffer_read(b->gl, &drawn.render->targets.draws[FRAME_DRAW_ao], 0, rgba);
     close_drawn(&drawn);
     return fine;
 }
 
-/* Roots of means of squares: of openness; of light, over its mean. */
+/* Roots of means of squares: of ambient occlusion; of light, over its mean. */
 static double off_by(const Bench *b, const float *is, const float *want, bool light)
 {
     const int pixels = b->table->edge * b->table->edge;

@@ -138,7 +138,7 @@ static void paths_are_calmer(void **state)
 }
 
 /* A ball jumps aside. What it hid has no history, but for what is smoothed over it from beside; in
- * the next frame little of the ball is left, of an openness that was .3 off. */
+ * the next frame little of the ball is left, of an ambient occlusion that was .3 off. */
 static void nothing_is_left_behind_what_moves(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* Openness and indirect light by what the picture shows, against closed forms; what becomes of it
- * in the light. */
+/* Ambient occlusion and indirect light by what the picture shows, against closed forms; what
+ * becomes of it in the light. */
 /* ctest: seconds=20 */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
@@ -291,8 +291,8 @@ static void middles_see(void **state)
     close_rig(&rig);
 }
 
-/* Light is that from around times openness, and indirect light times diffuse and gain, and what
- * comes from lights with a place, dimmed or not. */
+/* Light is that from around times ambient occlusion, and indirect light times diffuse and gain, and
+ * what comes from lights with a place, dimmed or not. */
 static void light_is_their_sum(void **state)
 {
     (void)state;

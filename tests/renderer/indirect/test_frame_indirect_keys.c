@@ -1,5 +1,5 @@
 /* Keys of `indirect:` that no other test looks at, by what they are said to do: the contrast of
- * openness, and how far off the surface rays begin. */
+ * ambient occlusion, and how far off the surface rays begin. */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include <math.h>
@@ -8,7 +8,8 @@
 
 enum { WIDTH = 64, HEIGHT = 48, PIXELS = WIDTH * HEIGHT, TEXT = 2048, KEYS = 256 };
 
-/* A floor, and a ceiling 1 above it, seen from between; openness, in floats. From malloc. */
+/* A floor, and a ceiling 1 above it, seen from between; ambient occlusion, in floats. From malloc.
+ */
 static float *draw(GlContext *gl, const char *keys, const char *objects)
 {
     const MatcOptions options = frame_exact_options();

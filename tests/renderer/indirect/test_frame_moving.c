@@ -61,7 +61,7 @@ static double difference(const float *a, const float *b)
     return most;
 }
 
-/* Root of the mean square: of the first lane, openness; of three, light, over its mean. */
+/* Root of the mean square: of the first lane, ambient occlusion; of three, light, over its mean. */
 static double off_by(const float *a, const float *b, int lanes)
 {
     double sum = 0, mean = 0;
@@ -86,9 +86,9 @@ static void coarse_while_it_moves_then_fine(void **state)
         const char *keys, *fine, *moving, *view;
         bool fragment;
         double
-            /* at most, root of the mean square of what coarser frames differ by: of openness; light
-             * by few rays is bounded by its noise alone */
-            off;
+            /* at most, root of the mean square of what coarser frames differ by: of ambient
+             * occlusion; light by few rays is bounded by its noise alone */
+                off;
         double exact; /* passes of means over one pixel round */
     } cases[] = {{"rays: 16, radius: 1", "", "resolution: quarter", "open", false, .05, 0},
                  {"rays: 16, radius: 1", "", "resolution: half", "open", false, .025, 0},

@@ -258,7 +258,8 @@ static void planes_beside_the_picture_are_black(void **state)
 
 /* A fence of bars, wires and a pole over a ground of edge 3, whose voxels of 128 are 0.024 wide:
  * bars of 1.7 voxels, wires of 0.4. In voxels they are wider, and keep off and send more: 0.05 of
- * openness, and a fifth of the little light that they send. By 256 openness is 0.04 off. */
+ * ambient occlusion, and a fifth of the little light that they send. By 256 ambient occlusion is
+ * 0.04 off. */
 static void fences_and_wires_keep_off_a_voxel_more(void **state)
 {
     (void)state;

@@ -1,5 +1,6 @@
-/* Cut-outs in voxels: which are full against what is cut away in double, openness and light beneath
- * them against rays in double; a closed mesh with holes is no body; what is cut away may change. */
+/* Cut-outs in voxels: which are full against what is cut away in double, ambient occlusion and
+ * light beneath them against rays in double; a closed mesh with holes is no body; what is cut away
+ * may change. */
 #include "tests/test.h"
 #include "runtime/indirect/voxels/voxels.h"
 #include "tests/frame/frame_draw.h"
@@ -96,14 +97,14 @@ typedef struct {
     MatcLayout *layout;
     MatcOptions options;
     FrameVoxelsDrawn voxels;
-    float *found; /* rgb: indirect light; a: openness */
+    float *found; /* rgb: indirect light; a: ambient occlusion */
 } Drawn;
 
 static void read_found(Drawn *d)
 {
     assert_true(renderer_frame(d->voxels.renderer));
-    assert_true(framebuffer_read(d->voxels.gl, &d->voxels.renderer->targets.draws[FRAME_DRAW_open],
-                                 0, d->found));
+    assert_true(framebuffer_read(d->voxels.gl, &d->voxels.renderer->targets.draws[FRAME_DRAW_ao], 0,
+                                 d->found));
 }
 
 static int set_up(void **state)

@@ -1,4 +1,4 @@
-/* Thresholds and weights of passes. Functions are cut out of pass_history.glsl, pass_smooth.glsl,
+/* Thresholds and weights of passes. Functions are cut out of pass_temporal.glsl, pass_smooth.glsl,
  * shadow.glsl and indirect_mask.glsl and run alone, with formulas in place of textures, against the
  * rules in double that their comments state. In a whole picture noise would hide an error of these
  * weights. */
@@ -38,9 +38,9 @@ static void run(const char *const pieces[4], float (*values)[4])
  * every pixel has accumulated four sets of rays. */
 static const char history_head[] =
     "#define INDIRECT_COARSE 1\n"
-    "const vec4 history_view = vec4(0.01, 0.0, 0.0, 0.0), history_ray = vec4(0.005, 0.005, 64.0, "
+    "const vec4 temporal_view = vec4(0.01, 0.0, 0.0, 0.0), temporal_ray = vec4(0.005, 0.005, 64.0, "
     "64.0);\n"
-    "const int history_values = 0, history_places = 1;\n"
+    "const int temporal_values = 0, temporal_places = 1;\n"
     "ivec2 only = ivec2(-1);\n" /* the only pixel with accumulated sets; -1: all pixels */
     "vec4 fetched(int which, ivec2 p) { if (which == 0) return vec4(0.5); "
     "bool has = only.x < 0 || p == only; return vec4(10.0, has ? 4.0 : 0.0, 0.0, 0.0); }\n"
@@ -55,19 +55,19 @@ static const char history_body[] =
     "    vec3 at = vec3(0.85, -0.75, -10.0);\n" /* (2 (40, 24) + 1 - 64) 0.005, times 10 */
     "    float a = radians(0.5 * float(p.x) + 15.0), s = 0.75 + 0.002 * float(p.x);\n"
     "    vec4 sum = vec4(0.0);\n"
-    "    sum.x = historyAt(at - vec3(0.0, 0.0, 0.01 * float(p.x)) * vec3(at.xy / -10.0, 1.0), "
+    "    sum.x = temporalAt(at - vec3(0.0, 0.0, 0.01 * float(p.x)) * vec3(at.xy / -10.0, 1.0), "
     "vec3(0.0, 0.0, 1.0)).sets;\n"
-    "    sum.y = historyAt(at, vec3(sin(a), 0.0, cos(a))).sets;\n"
+    "    sum.y = temporalAt(at, vec3(sin(a), 0.0, cos(a))).sets;\n"
     "    only = ivec2(40, 24);\n"
-    "    sum.z = historyAt(at + vec3(0.1 * s, 0.1 * s, 0.0), vec3(0.0, 0.0, 1.0)).sets;\n"
+    "    sum.z = temporalAt(at + vec3(0.1 * s, 0.1 * s, 0.0), vec3(0.0, 0.0, 1.0)).sets;\n"
     "    return sum;\n}\n";
 
 static void history_keeps_the_same_surface(void **state)
 {
     (void)state;
     static float values[SIDE * SIDE][4];
-    char *functions =
-        cut(render_text_pass_history, "struct HistoryKept", "// Temporal reprojection of a pixel");
+    char *functions = cut(render_text_pass_temporal, "struct TemporalKept",
+                          "// Temporal reprojection of a pixel");
     run((const char *const[]){history_head, functions, history_body, NULL}, values);
     free(functions);
     for (int x = 0; x < SIDE; x++) {
@@ -94,9 +94,9 @@ static void history_keeps_the_same_surface(void **state)
  * they do not count. */
 static const char limit_head[] =
     "#define INDIRECT_COARSE 1\n"
-    "struct HistoryKept { vec4 value; float sets; };\n"
-    "const vec4 history_doubts = vec4(1.0, 1.0, 0.0, 0.0), history_counts = vec4(0.0);\n"
-    "const int history_rays = 0, indirect_depth = 1;\n"
+    "struct TemporalKept { vec4 value; float sets; };\n"
+    "const vec4 temporal_dirty = vec4(1.0, 1.0, 0.0, 0.0), temporal_counts = vec4(0.0);\n"
+    "const int temporal_rays = 0, indirect_depth = 1;\n"
     "float behind = 0.0;\n" /* distance of odd columns behind the plane, in widths of a pixel */
     "vec4 fetched(int which, ivec2 p) { if (which == 1) return vec4(1.0); "
     "return vec4(behind > 0.0 && (p.x & 1) == 1 ? 0.9 : ((p.x / 2 + p.y) & 1) == 0 ? 0.4 : 0.6); "
@@ -107,19 +107,19 @@ static const char limit_head[] =
     "vec3 indirectPoint(ivec2 p, float depth) { return vec3(vec2(p), (p.x & 1) == 1 ? -behind : "
     "0.0); }\n"
     "float indirectPixelSize(vec3 point) { return 1.0; }\n"
-    "bool historyIsNear(vec3 point) { return true; }\n";
+    "bool temporalIsNear(vec3 point) { return true; }\n";
 static const char limit_body[] =
     "vec4 passPixel(ivec2 p) {\n"
-    "    HistoryKept kept = HistoryKept(vec4(0.54 + 0.01 * float(p.x)), 8.0);\n"
+    "    TemporalKept kept = TemporalKept(vec4(0.54 + 0.01 * float(p.x)), 8.0);\n"
     "    behind = p.y == 0 ? 0.0 : p.y == 1 ? 1.8 : 2.2;\n"
-    "    historyLimit(kept, ivec2(20, 20), vec3(20.0, 20.0, 0.0), vec3(0.0, 0.0, 1.0));\n"
+    "    temporalLimit(kept, ivec2(20, 20), vec3(20.0, 20.0, 0.0), vec3(0.0, 0.0, 1.0));\n"
     "    return vec4(kept.value.xw, kept.sets, 0.0);\n}\n";
 
 static void history_is_brought_near_what_rays_find(void **state)
 {
     (void)state;
     static float values[SIDE * SIDE][4];
-    char *function = cut(render_text_pass_history, "void historyLimit", "vec4 passPixel");
+    char *function = cut(render_text_pass_temporal, "void temporalLimit", "vec4 passPixel");
     run((const char *const[]){limit_head, function, limit_body, NULL}, values);
     free(function);
     for (int x = 0; x < SIDE; x++) {

@@ -1,6 +1,6 @@
 /* The pass history: temporal accumulation of the rays' results, with rejection of samples of
  * other surfaces. Its targets are two of each kind, which swap every frame. Its GLSL is
- * pass_history.glsl, after indirect_place.glsl. */
+ * pass_temporal.glsl, after indirect_place.glsl. */
 #include "gen/render_text.h"
 #include "runtime/frame_graph/frame.h"
 #include "runtime/indirect/filter/indirect_motion.h"
@@ -26,21 +26,21 @@ static bool make_pass(Renderer *renderer, bool place, ScreenPass *pass)
     char defined[INDIRECT_DEFINITIONS];
     indirect_define(renderer, indirect_coarse(renderer), defined);
     const ScreenPassText text = {.body = {indirect_surface_text(renderer), defined,
-                                          place ? "#define HISTORY_PLACE\n" : "",
-                                          render_text_indirect_place, render_text_pass_history},
+                                          place ? "#define TEMPORAL_PLACE\n" : "",
+                                          render_text_indirect_place, render_text_pass_temporal},
                                  .format = "RGBA32F",
                                  .compute = renderer->compute};
     if (!screen_pass_make(renderer->store, &text, pass))
         return false;
-    screen_pass_sampler(pass, "history_rays", RAYS_UNIT);
-    screen_pass_sampler(pass, "history_values", VALUES_UNIT);
-    screen_pass_sampler(pass, "history_places", PLACES_UNIT);
-    screen_pass_sampler(pass, "history_moved", MOVED_UNIT);
+    screen_pass_sampler(pass, "temporal_rays", RAYS_UNIT);
+    screen_pass_sampler(pass, "temporal_values", VALUES_UNIT);
+    screen_pass_sampler(pass, "temporal_places", PLACES_UNIT);
+    screen_pass_sampler(pass, "temporal_moved", MOVED_UNIT);
     indirect_set(renderer, pass);
     return true;
 }
 
-static bool pass_history_make(Renderer *renderer)
+static bool pass_temporal_make(Renderer *renderer)
 {
     IndirectHistory *history = &renderer->indirect->history;
     bool done =
@@ -84,12 +84,12 @@ static double reach_of(const Renderer *renderer)
     return voxel_grid_radius(renderer->scene, &renderer->gpu_scene) + 2 * voxel;
 }
 
-static unsigned doubts_of(const Renderer *renderer)
+static unsigned dirty_of(const Renderer *renderer)
 {
     /* screen-space hits change with every move of the camera */
     const bool shown = !indirect_reads_radiance(renderer);
     return renderer->indirect->history.doubts |
-           (shown ? INDIRECT_DOUBT_light | INDIRECT_DOUBT_openness : 0);
+           (shown ? INDIRECT_DIRTY_light | INDIRECT_DIRTY_ao : 0);
 }
 
 /* Returns the number of elements to write: data of moved objects is at the end. */
@@ -97,22 +97,22 @@ static int fill_block(Renderer *renderer, float (*block)[4])
 {
     static const double one[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
     const IndirectHistory *history = &renderer->indirect->history;
-    const unsigned doubts = doubts_of(renderer);
+    const unsigned doubts = dirty_of(renderer);
     double world_from_eye[16];
     invert_eye(renderer->space.eye_from_world, world_from_eye);
-    put_product(one, world_from_eye, block + HISTORY_WORLD);
-    put_product(history->eye_from_world, world_from_eye, block + HISTORY_FROM_EYE);
-    memcpy(block[HISTORY_RAY], history->ray, sizeof *block);
-    memcpy(block[HISTORY_VIEW], history->depth, sizeof *block);
-    block[HISTORY_LIMITS][0] = (float)indirect_most_sets(renderer);
-    block[HISTORY_LIMITS][1] = history->there;
-    block[HISTORY_LIMITS][2] = history->still;
-    block[HISTORY_DOUBTS][0] = (doubts & INDIRECT_DOUBT_light) != 0;
-    block[HISTORY_DOUBTS][1] = (doubts & INDIRECT_DOUBT_openness) != 0;
-    block[HISTORY_DOUBTS][2] = (float)reach_of(renderer);
+    put_product(one, world_from_eye, block + TEMPORAL_WORLD);
+    put_product(history->eye_from_world, world_from_eye, block + TEMPORAL_FROM_EYE);
+    memcpy(block[TEMPORAL_RAY], history->ray, sizeof *block);
+    memcpy(block[TEMPORAL_VIEW], history->depth, sizeof *block);
+    block[TEMPORAL_LIMITS][0] = (float)indirect_most_sets(renderer);
+    block[TEMPORAL_LIMITS][1] = history->there;
+    block[TEMPORAL_LIMITS][2] = history->still;
+    block[TEMPORAL_DIRTY][0] = (doubts & INDIRECT_DIRTY_light) != 0;
+    block[TEMPORAL_DIRTY][1] = (doubts & INDIRECT_DIRTY_ao) != 0;
+    block[TEMPORAL_DIRTY][2] = (float)reach_of(renderer);
     const bool moved = history->there && !history->still &&
                        indirect_motion_draw(renderer, history->eye_from_world, block);
-    return moved ? HISTORY_ALL : HISTORY_COUNTS + 1;
+    return moved ? TEMPORAL_ALL : TEMPORAL_COUNTS + 1;
 }
 
 /* Adds one set of rays to the means. */
@@ -120,7 +120,7 @@ static void blend(Renderer *renderer)
 {
     IndirectHistory *history = &renderer->indirect->history;
     const int next = 1 - history->last;
-    float block[HISTORY_ALL][4] = {{0}};
+    float block[TEMPORAL_ALL][4] = {{0}};
     const size_t size = (size_t)fill_block(renderer, block) * sizeof *block;
     indirect_bind(renderer);
     texture_bind(renderer->gl, frame_texture(renderer, FRAME_TARGET_rays, 0), RAYS_UNIT);
@@ -168,7 +168,7 @@ static bool is_exact(Renderer *renderer, float *means[2])
            difference(means[0], means[1], pixels) <= renderer->scene->indirect.error;
 }
 
-static void pass_history_draw(Renderer *renderer)
+static void pass_temporal_draw(Renderer *renderer)
 {
     IndirectHistory *history = &renderer->indirect->history;
     const SceneIndirect *in = &renderer->scene->indirect;
@@ -191,21 +191,21 @@ static void pass_history_draw(Renderer *renderer)
     free(means[1]);
 }
 
-static bool pass_history_moved(Renderer *renderer, int first, int count)
+static bool pass_temporal_moved(Renderer *renderer, int first, int count)
 {
     indirect_motion_add(renderer, first, count);
     return true;
 }
 
-const FramePass pass_history = {
+const FramePass pass_temporal = {
     .plan = {"history",
              .reads = FRAME_BIT(depth) | FRAME_BIT(gbuffer) | FRAME_BIT(light) | FRAME_BIT(voxels) |
                       FRAME_BIT(radiance) | FRAME_BIT(rays),
              .fills = FRAME_BIT(history)},
     .when = "rays of several sets, or frames, count",
     .needed = indirect_keeps,
-    .make = pass_history_make,
-    .draw = pass_history_draw,
-    .moved = pass_history_moved,
+    .make = pass_temporal_make,
+    .draw = pass_temporal_draw,
+    .moved = pass_temporal_moved,
     .forget = indirect_motion_delete,
 };
