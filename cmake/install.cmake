@@ -23,7 +23,7 @@ install(TARGETS matc_render_shared EXPORT matc-render INCLUDES DESTINATION ${CMA
 install(EXPORT matc-render NAMESPACE matc:: DESTINATION ${package})
 install(FILES runtime/renderer/matc_render.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 # What lights a Surface that the unpacking text gives: docs/reference/layouts.md
-install(FILES runtime/surface/surface_phong.glsl runtime/surface/surface_facets.glsl runtime/surface/surface_principled.glsl runtime/surface/surface_principled_light.glsl
+install(FILES runtime/surface/surface_phong.glsl runtime/surface/surface_microfacets.glsl runtime/surface/surface_principled.glsl runtime/surface/surface_principled_light.glsl
   runtime/surface/surface_anisotropic.glsl runtime/surface/surface_through.glsl
   DESTINATION ${MATC_SURFACE})
 

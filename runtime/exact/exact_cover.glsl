@@ -73,7 +73,7 @@ View viewOf(uint light)
 // A triangle in a view: corners, x and y in cells times z; side planes, each opposite to its
 // corner, with product 0 for corners on it, and the product's error bound; `turn`: sign of the
 // inside, 0 if unknown, as the light is in the triangle's plane.
-struct Facet {
+struct Microfacet {
     dvec3 corners[3], sides[3];
     double off[3];
     int turn;
@@ -128,23 +128,23 @@ ivec4 boundsOf(dvec3 a, dvec3 b, dvec3 c, int size)
 
 double greatest(dvec3 corner, double size) { return max(max(abs(corner.x), abs(corner.y)), abs(corner.z) * size); }
 
-Facet facetOf(View view, dvec3 places[3], int face)
+Microfacet microfacetOf(View view, dvec3 places[3], int face)
 {
-    Facet facet;
+    Microfacet microfacet;
     double size = double(view.size), most[3];
     for (int i = 0; i < 3; i++) {
-        facet.corners[i] = turned(places[i], view, face);
-        most[i] = greatest(facet.corners[i], size);
+        microfacet.corners[i] = turned(places[i], view, face);
+        most[i] = greatest(microfacet.corners[i], size);
     }
-    dvec3 a = facet.corners[0], b = facet.corners[1], c = facet.corners[2];
-    facet.bounds = ivec4(0, -1, 0, -1);
-    if (isAway(a, b, c, size)) return facet;
-    facet.bounds = boundsOf(a, b, c, view.size);
-    facet.sides = dvec3[3](cross(b, c), cross(c, a), cross(a, b));
-    facet.off = double[3](ROUNDING * most[1] * most[2], ROUNDING * most[2] * most[0], ROUNDING * most[0] * most[1]);
-    double volume = dot(a, facet.sides[0]), least = facet.off[0] * most[0] / size;
-    facet.turn = volume > least ? 1 : volume < -least ? -1 : 0;
-    return facet;
+    dvec3 a = microfacet.corners[0], b = microfacet.corners[1], c = microfacet.corners[2];
+    microfacet.bounds = ivec4(0, -1, 0, -1);
+    if (isAway(a, b, c, size)) return microfacet;
+    microfacet.bounds = boundsOf(a, b, c, view.size);
+    microfacet.sides = dvec3[3](cross(b, c), cross(c, a), cross(a, b));
+    microfacet.off = double[3](ROUNDING * most[1] * most[2], ROUNDING * most[2] * most[0], ROUNDING * most[0] * most[1]);
+    double volume = dot(a, microfacet.sides[0]), least = microfacet.off[0] * most[0] / size;
+    microfacet.turn = volume > least ? 1 : volume < -least ? -1 : 0;
+    return microfacet;
 }
 
 // -- cells of a row
@@ -161,27 +161,27 @@ void cutRange(dvec3 side, double off, double turn, dvec2 heights, inout dvec2 ra
 }
 
 // Returns the cells, enlarged by 1/64, that intersect the range left by the three sides.
-ivec2 cellsLeft(Facet facet, double turn, dvec2 heights, int size)
+ivec2 cellsLeft(Microfacet microfacet, double turn, dvec2 heights, int size)
 {
     dvec2 range = dvec2(-FAR, FAR);
     for (int i = 0; i < 3; i++)
-        cutRange(facet.sides[i], facet.off[i], turn, heights, range);
+        cutRange(microfacet.sides[i], microfacet.off[i], turn, heights, range);
     range = clamp(range + dvec2(-SPREAD, SPREAD), -1.0lf, double(size));
     return ivec2(int(floor(range.x)), int(floor(range.y)));
 }
 
 // Returns the first and last cell of a row. If the inside is unknown, both signs are tried.
-ivec2 cellsOf(Facet facet, int row, int size)
+ivec2 cellsOf(Microfacet microfacet, int row, int size)
 {
     dvec2 heights = dvec2(double(row) - SPREAD, double(row + 1) + SPREAD);
-    dvec3 a = facet.corners[0], b = facet.corners[1], c = facet.corners[2];
+    dvec3 a = microfacet.corners[0], b = microfacet.corners[1], c = microfacet.corners[2];
     if (areBeyond(a.y - heights.x * a.z, b.y - heights.x * b.z, c.y - heights.x * c.z) ||
         areBeyond(heights.y * a.z - a.y, heights.y * b.z - b.y, heights.y * c.z - c.y)) return ivec2(0, -1);
-    ivec2 cells = cellsLeft(facet, facet.turn < 0 ? -1.0lf : 1.0lf, heights, size);
-    ivec2 other = facet.turn == 0 ? cellsLeft(facet, -1.0lf, heights, size) : cells;
+    ivec2 cells = cellsLeft(microfacet, microfacet.turn < 0 ? -1.0lf : 1.0lf, heights, size);
+    ivec2 other = microfacet.turn == 0 ? cellsLeft(microfacet, -1.0lf, heights, size) : cells;
     if (cells.x > cells.y || (other.x <= other.y && other.x < cells.x)) cells.x = other.x;
     cells.y = max(cells.y, other.y);
-    return ivec2(max(cells.x, facet.bounds.z), min(cells.y, facet.bounds.w));
+    return ivec2(max(cells.x, microfacet.bounds.z), min(cells.y, microfacet.bounds.w));
 }
 
 // -- lists
@@ -195,9 +195,9 @@ void addCell(uint cell, uint triangle)
 }
 
 // Adds every `steps.y`th covered cell of a row, from number `steps.x` on. Returns their number.
-uint addRow(View view, Facet facet, uvec2 number, int row, ivec2 steps)
+uint addRow(View view, Microfacet microfacet, uvec2 number, int row, ivec2 steps)
 {
-    ivec2 cells = cellsOf(facet, row, view.size);
+    ivec2 cells = cellsOf(microfacet, row, view.size);
     uint line = view.cells + 2u * uint((int(number.y) * view.size + row) * view.size), count = 0u;
     for (int cell = cells.x + steps.x; cell <= cells.y; cell += steps.y, count++)
         addCell(line + 2u * uint(cell), number.x);
@@ -214,16 +214,16 @@ void queueBlocks(uvec2 number, uint light, ivec4 bounds)
 }
 
 // Adds a triangle in one face's view. Returns the number of entries.
-uint addFacet(View view, Facet facet, uvec2 number, uint light)
+uint addMicrofacet(View view, Microfacet microfacet, uvec2 number, uint light)
 {
-    ivec4 bounds = facet.bounds;
+    ivec4 bounds = microfacet.bounds;
     uint count = 0u;
     if ((bounds.y - bounds.x + 1) * (bounds.w - bounds.z + 1) > FEW) {
         if (!exact_lists) queueBlocks(number, light, bounds);
         return 0u;
     }
     for (int row = bounds.x; row <= bounds.y; row++)
-        count += addRow(view, facet, number, row, ivec2(0, 1));
+        count += addRow(view, microfacet, number, row, ivec2(0, 1));
     return count;
 }
 
@@ -232,7 +232,7 @@ uint addTriangle(View view, uint triangle, uint light)
     dvec3 places[3] = placesOf(view, triangle);
     uint count = 0u;
     for (int face = 0; face < view.faces; face++)
-        count += addFacet(view, facetOf(view, places, face), uvec2(triangle, face), light);
+        count += addMicrofacet(view, microfacetOf(view, places, face), uvec2(triangle, face), light);
     return count;
 }
 
@@ -255,10 +255,10 @@ void addBlock(uvec2 block)
 {
     View view = viewOf(block.y >> 16);
     uvec2 number = uvec2(block.x / 8u, block.x % 8u);
-    Facet facet = facetOf(view, placesOf(view, number.x), int(number.y));
-    int thread = int(gl_LocalInvocationIndex), row = facet.bounds.x + int(block.y & 65535u) * ROWS + thread % ROWS;
-    if (row > facet.bounds.y) return;
-    uint count = addRow(view, facet, number, row, ivec2(thread / ROWS, 64 / ROWS));
+    Microfacet microfacet = microfacetOf(view, placesOf(view, number.x), int(number.y));
+    int thread = int(gl_LocalInvocationIndex), row = microfacet.bounds.x + int(block.y & 65535u) * ROWS + thread % ROWS;
+    if (row > microfacet.bounds.y) return;
+    uint count = addRow(view, microfacet, number, row, ivec2(thread / ROWS, 64 / ROWS));
     if (!exact_lists && count > 0u) atomicAdd(exact_entries, count);
 }
 

@@ -10,7 +10,7 @@ enum {
     FIRSTS_BINDING = 5,
     TRIANGLES_BINDING,
     LISTS_BINDING
-}; /* bindings of exact_number.glsl and exact.glsl */
+}; /* bindings of exact_triangle_id.glsl and exact.glsl */
 
 static void seen_bind(const Renderer *renderer)
 {
@@ -93,7 +93,7 @@ static void put_time(Text *out, Renderer *renderer)
     text_put(out, " milliseconds\n");
 }
 
-static const SeenText seen = {.fragment = render_text_exact_number, .places = true};
+static const SeenText seen = {.fragment = render_text_exact_triangle_id, .places = true};
 
 extern const ShadowMethod shadow_exact;
 const ShadowMethod shadow_exact = {

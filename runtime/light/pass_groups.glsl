@@ -19,7 +19,7 @@ shared uint far_nearest, far_owner; // the seed's depth, and its pixel number
 shared Seed far_seed;
 
 // Maxima over all invocations, of floats mapped to unsigned integers of the same order.
-const int LOW = 0, HIGH = 3, NORMAL = 6, ABOVE = 7, BELOW = 8, MIRROR = 9, EVEN = 10, DIM = 13, GLOSS = 16, BROAD = 19,
+const int LOW = 0, HIGH = 3, NORMAL = 6, ABOVE = 7, BELOW = 8, MIRROR = 9, EVEN = 10, DIM = 13, ROUGHNESS = 16, BROAD = 19,
           SHARP = 20, BEHIND = 21, BOUNDS = 22;
 shared uint far_bounds[BOUNDS];
 
@@ -161,7 +161,7 @@ void farSpread(int group, inout uint waiting[SETS], inout uint map[SETS])
     farRaise3(LOW, low);
     farRaise3(EVEN, even);
     farRaise3(DIM, dim);
-    farRaise3(GLOSS, gloss);
+    farRaise3(ROUGHNESS, gloss);
     farRaise(NORMAL, normal);
     farRaise(ABOVE, above);
     farRaise(BELOW, below);
@@ -191,7 +191,7 @@ Group farFindGroup()
     group.mirror = clamp(-farBound(MIRROR) - rounding, -1.0, 1.0);
     group.even = farBound3(EVEN);
     group.dim = max(-farBound3(DIM), 0.0);
-    group.gloss = farBound3(GLOSS);
+    group.gloss = farBound3(ROUGHNESS);
     group.exponent = clamp(-farBound(BROAD), 0.0, 65504.0);
     group.turn = sqrt(2.0 - 2.0 * group.mirror);
     group.lean = sqrt(2.0 - 2.0 * group.cosine);
@@ -223,7 +223,7 @@ void farKeep(Group group, int number)
     far_numbers[at + GROUP_MIRROR] = group.mirror;
     farPut(at + GROUP_EVEN, group.even);
     farPut(at + GROUP_DIM, group.dim);
-    farPut(at + GROUP_GLOSS, group.gloss);
+    farPut(at + GROUP_ROUGHNESS, group.gloss);
     far_numbers[at + GROUP_EXPONENT] = group.exponent;
     far_numbers[at + GROUP_TURN] = group.turn;
     far_numbers[at + GROUP_LEAN] = group.lean;

@@ -1,6 +1,6 @@
 // Anisotropic reflection: GGX with two widths, a along a direction and b across it, as polynomials.
 // As in OpenPBR 1.1, with strength s: b / a = 1 - s and a^2 + b^2 = 2 roughness^4. Follows
-// surface_facets.glsl. tests/fits/anisotropy.c prints its polynomials, test_principled_anisotropy.c
+// surface_microfacets.glsl. tests/fits/anisotropy.c prints its polynomials, test_principled_anisotropy.c
 // compares them with the integrals.
 //
 // The multiple-scattering loss for light from a direction v, and its share at grazing angles,
@@ -201,7 +201,7 @@ float maskedAlong(Anisotropy m, vec3 v, float cosine)
 
 // Evaluates the microfacet lobe like facets(): the light's direction l, the half vector, and the
 // light's cosine; `eye`: the eye's cosine and its maskedAlong().
-float facetsAlong(Anisotropy m, vec3 normal, vec3 l, vec3 h, float cosine, vec2 eye)
+float microfacetsAlong(Anisotropy m, vec3 normal, vec3 l, vec3 h, float cosine, vec2 eye)
 {
     vec2 across = vec2(dot(h, m.along), dot(h, m.across)) / m.widths;
     float high = dot(normal, h), width = high * high + dot(across, across);

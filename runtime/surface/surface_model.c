@@ -26,11 +26,11 @@ const SurfaceModel surface_model_phong = {.name = "Phong",
                                           .more = {render_text_surface_through}};
 const SurfaceModel surface_model_principled = {
     .name = "Principled",
-    .text = render_text_surface_facets,
+    .text = render_text_surface_microfacets,
     .more = {render_text_surface_anisotropic, render_text_surface_principled,
              render_text_surface_principled_light, render_text_surface_through}};
 static const SurfaceModel both = {.name = "Phong and Principled",
-                                  .text = render_text_surface_facets,
+                                  .text = render_text_surface_microfacets,
                                   .more = {render_text_surface_anisotropic, RENAMED("phong"),
                                            render_text_surface_phong, UNNAMED RENAMED("principled"),
                                            render_text_surface_principled,

@@ -11,16 +11,16 @@
 // The Fresnel term is Schlick's, white at the horizon; for metal with an edge tint at 82 degrees
 // (Hoffman 2019; OpenPBR 1.1). Slots that a layout lacks have the absent values of slots.def. Skies
 // are sampled where microfacets mirror them to the eye, area lights use linearly transformed
-// cosines; both are normalized to GGX's reflection of uniform light. Follows surface_facets.glsl
+// cosines; both are normalized to GGX's reflection of uniform light. Follows surface_microfacets.glsl
 // and surface_anisotropic.glsl.
 struct Lit {
     vec3 normal, toEye, reflected, base, tint, dip, emissive;
     vec3 metalAgain;  // multiple-scattering color of metal
     vec3 even, gloss; // reflection of uniform light: diffuse, specular
 #ifdef LIGHT_HAS_SKY
-    vec3 glossAgain; // part of gloss that is scattered repeatedly, or spread by layers
+    vec3 roughnessAgain; // part of gloss that is scattered repeatedly, or spread by layers
 #endif
-    Gloss facets;
+    Roughness facets;
     float metal, alpha, cosine, masked, reflectance, kept; // masked: maskedOf() toward the eye
     // multiple scattering; diffuse transmittance to the eye, layers included
     TONE again, baseOfEye;
@@ -40,13 +40,13 @@ struct Lit {
     vec3 filmMean, metalFilmMean, filmLeft;
 #endif
 #ifdef LIGHT_HAS_AREAS
-    mat3 glossInto, coatInto; // linear transforms of cosines: areaFacets()
+    mat3 roughnessInto, coatInto; // linear transforms of cosines: areaMicrofacets()
 #endif
 #ifdef LIT_COAT
     vec3 coatTint, coatNormal;
     float coatCosine; // the eye's cosine against the coat's normal
-    Gloss coatFacets;
-    float coat, coatShine, coatAlpha, coatReflectance, coatGloss, coatMasked;
+    Roughness coatMicrofacets;
+    float coat, coatShine, coatAlpha, coatReflectance, coatLobe, coatMasked;
     float coatOfEye, coatMean; // transmittance: for the eye, and the mean
     vec2 coatVeil;             // veiled(), for the base's reflection
     Row spread; // loss of a white rough mirror below, by angle
@@ -66,8 +66,8 @@ struct Lit {
     bool layered; // has a coat or fuzz
     vec3 metalBounce, dielectricBounce; // base's reflection of light that layers reflect back
     // multiple-scattering loss, below(), of metal and of the dielectric; over the mean
-    vec2 strayOfEye, strayRatio;
-    float strayMore;
+    vec2 multipleScatteringOfEye, multipleScatteringRatio;
+    float multipleScatteringMore;
 #endif
 };
 
@@ -111,7 +111,7 @@ float fuzzThrough(Lit m, float cosine) { return 1.0 - m.fuzz * fuzzAlbedo(cosine
 // layer below.
 float coatAlbedo(vec2 albedo, float reflectance) { return mix(albedo.y, 1.0 - albedo.x, reflectance); }
 
-float coatThrough(Lit m, float cosine) { return 1.0 - m.coat * coatAlbedo(albedo(cosine, m.coatFacets), m.coatReflectance); }
+float coatThrough(Lit m, float cosine) { return 1.0 - m.coat * coatAlbedo(albedo(cosine, m.coatMicrofacets), m.coatReflectance); }
 
 void litCoat(Surface s, inout Lit m)
 {
@@ -121,17 +121,17 @@ void litCoat(Surface s, inout Lit m)
     m.coatNormal = coatNormalOf(s, m.normal);
     m.coatCosine = clamp(dot(m.coatNormal, m.toEye), 1e-3, 1.0);
     m.coatReflectance = coat.reflectance;
-    m.coatFacets = glossOf(coat.rough);
-    m.coatAlpha = m.coatFacets.alpha;
+    m.coatMicrofacets = roughnessOf(coat.rough);
+    m.coatAlpha = m.coatMicrofacets.alpha;
 #ifdef LIGHT_HAS_AREAS
-    m.coatInto = areaFacets(m.coatFacets.rough, m.coatNormal, m.toEye);
+    m.coatInto = areaMicrofacets(m.coatMicrofacets.rough, m.coatNormal, m.toEye);
 #endif
     m.coatMasked = maskedOf(m.coatAlpha, m.coatCosine);
     m.coatOfEye = coatThrough(m, m.coatCosine);
     m.coatMean = 0.0;
     m.layered = m.coat > 0.0;
-    m.coatGloss = m.kept * (1.0 - m.coatOfEye);
-    float smoother = 1.0 - m.coatFacets.rough * m.coatFacets.rough, smoother2 = smoother * smoother;
+    m.coatLobe = m.kept * (1.0 - m.coatOfEye);
+    float smoother = 1.0 - m.coatMicrofacets.rough * m.coatMicrofacets.rough, smoother2 = smoother * smoother;
     // 1 for a smooth coat of index 1.6
     float share = m.coat * (1.0 - m.coatReflectance) * smoother2 * smoother2 * smoother * 1.0563;
     m.spread = coatSpread(m.facets.rough, share);
@@ -195,23 +195,23 @@ vec4 below(Lit m, float cosine, float ofCoat, float loss)
 // least, so that a rough mirror loses up to 2.75 times as much.
 vec2 strayed(Lit m, float stray, vec2 own)
 {
-    return stray * vec2(1.0, m.strayMore * mix(own.y / max(1.0 - own.x, 1e-3), 1.0, m.reflectance));
+    return stray * vec2(1.0, m.multipleScatteringMore * mix(own.y / max(1.0 - own.x, 1e-3), 1.0, m.reflectance));
 }
 #endif
 
 // Computes means over all directions by Gaussian quadrature in the square root of the cosine:
-// `mean` of 1 and of albedo(); `left` of the same times the layers' transmittance; `meanStray` of
+// `mean` of 1 and of albedo(); `left` of the same times the layers' transmittance; `meanMultipleScattering` of
 // strayed().
-void litMeans(inout Lit m, out vec3 mean, out vec3 left, out vec2 meanStray)
+void litMeans(inout Lit m, out vec3 mean, out vec3 left, out vec2 meanMultipleScattering)
 {
     const vec3 PLACE = vec3(0.0337652429, 0.1693953068, 0.380690407), WEIGHT = vec3(0.0856622462, 0.1803807865, 0.2339569673);
     mean = left = vec3(0.0);
 #ifdef LIT_FILM
     m.filmMean = m.metalFilmMean = m.filmLeft = vec3(0.0);
 #endif
-    meanStray = vec2(0.0);
+    meanMultipleScattering = vec2(0.0);
 #ifdef LIT_LAYERS
-    m.strayMore = 1.0 + 1.75 * smoothstep(0.15, 0.4, m.facets.rough);
+    m.multipleScatteringMore = 1.0 + 1.75 * smoothstep(0.15, 0.4, m.facets.rough);
 #endif
     for (int i = 0; i < 6; i++) {
         float t = i < 3 ? PLACE[i] : 1.0 - PLACE[5 - i], share = 4.0 * WEIGHT[i < 3 ? i : 5 - i] * t * t * t;
@@ -224,7 +224,7 @@ void litMeans(inout Lit m, out vec3 mean, out vec3 left, out vec2 meanStray)
 #endif
 #ifdef LIT_LAYERS
         vec4 layers = below(m, t * t, t * t, own.y / share);
-        meanStray += share * strayed(m, layers.w, own.yz / share);
+        meanMultipleScattering += share * strayed(m, layers.w, own.yz / share);
 #ifdef LIT_COAT
         m.coatMean += share * layers.x;
 #endif
@@ -241,7 +241,7 @@ void litMeans(inout Lit m, out vec3 mean, out vec3 left, out vec2 meanStray)
         m.filmLeft += filmed;
 #endif
     }
-    meanStray = max(meanStray, vec2(1e-6));
+    meanMultipleScattering = max(meanMultipleScattering, vec2(1e-6));
 }
 
 #ifdef LIT_GRAIN
@@ -301,7 +301,7 @@ Lit surfaceLit(Surface s, vec3 toEye)
     m.kept = 1.0 - holesOf(s);
 #endif
     // limit of float precision: a narrower lobe would fall between floats
-    m.facets = glossOf(clamp(rough, 0.0316227766, 1.0));
+    m.facets = roughnessOf(clamp(rough, 0.0316227766, 1.0));
 #ifdef LIT_ANISOTROPY
     m.anisotropy = anisotropyOf(s.anisotropy, m.normal, m.facets.rough);
 #endif
@@ -311,7 +311,7 @@ Lit surfaceLit(Surface s, vec3 toEye)
 #endif
     m.cosine = clamp(dot(m.normal, toEye), 1e-3, 1.0);
 #ifdef LIGHT_HAS_AREAS
-    m.glossInto = areaFacets(m.facets.rough, m.normal, toEye);
+    m.roughnessInto = areaMicrofacets(m.facets.rough, m.normal, toEye);
 #endif
 #ifdef LIT_LAYERS
     m.layered = false;
@@ -323,8 +323,8 @@ Lit surfaceLit(Surface s, vec3 toEye)
     litFuzz(s, m);
 #endif
     vec3 mean, left;
-    vec2 meanStray;
-    litMeans(m, mean, left, meanStray);
+    vec2 meanMultipleScattering;
+    litMeans(m, mean, left, meanMultipleScattering);
 #ifdef LIT_ANISOTROPY
     m.masked = maskedAlong(m.anisotropy, toEye, m.cosine);
 #else
@@ -368,7 +368,7 @@ Lit surfaceLit(Surface s, vec3 toEye)
     m.even = m.kept * (1.0 - m.metal) * m.baseOfEye * sent;
     m.gloss = m.kept * mix((1.0 - m.baseOfEye) * m.tint, max(ofMetal, 0.0), m.metal);
 #ifdef LIGHT_HAS_SKY
-    m.glossAgain = m.kept * eye.x * mix(m.again * m.tint, m.metalAgain, m.metal);
+    m.roughnessAgain = m.kept * eye.x * mix(m.again * m.tint, m.metalAgain, m.metal);
 #endif
 #ifdef LIT_BEHIND
     m.behind = clamp(s.diffuseTransparency, 0.0, 1.0);
@@ -378,15 +378,15 @@ Lit surfaceLit(Surface s, vec3 toEye)
     vec4 layers = below(m, m.cosine, coatCosineOf(m, toEye, m.cosine), eye.x);
     m.metalBounce = m.metal * max(metal, 0.0);
     m.dielectricBounce = (1.0 - m.metal) * m.tint;
-    m.strayOfEye = strayed(m, layers.w, eye);
-    m.strayRatio = m.strayOfEye / meanStray;
+    m.multipleScatteringOfEye = strayed(m, layers.w, eye);
+    m.multipleScatteringRatio = m.multipleScatteringOfEye / meanMultipleScattering;
     m.even *= layers.z;
 #ifdef LIT_BEHIND
     m.evenBehind *= layers.z;
 #endif
     m.gloss *= layers.z;
 #ifdef LIGHT_HAS_SKY
-    m.glossAgain = m.glossAgain * layers.z + m.kept * (m.strayOfEye.x * m.metalBounce + m.strayOfEye.y * m.dielectricBounce);
+    m.roughnessAgain = m.roughnessAgain * layers.z + m.kept * (m.multipleScatteringOfEye.x * m.metalBounce + m.multipleScatteringOfEye.y * m.dielectricBounce);
 #endif
     m.emissive *= layers.z;
     m.lossRatio *= layers.z;
@@ -398,22 +398,22 @@ Lit surfaceLit(Surface s, vec3 toEye)
     m.evenBehind *= m.coatTint;
 #endif
     m.gloss *= m.coatTint;
-    m.coatGloss *= layers.y;
+    m.coatLobe *= layers.y;
 #ifdef LIGHT_HAS_SKY
-    m.glossAgain *= m.coatTint;
+    m.roughnessAgain *= m.coatTint;
 #endif
 #endif
 #ifdef LIT_FUZZ
     m.fuzzVeil = veiled(m.fuzzOfEye, m.fuzzMean, m.facets.rough, m.cosine);
 #ifdef LIT_COAT
-    m.fuzzCoatVeil = veiled(m.fuzzOfEye, m.fuzzMean, m.coatFacets.rough, m.coatCosine);
+    m.fuzzCoatVeil = veiled(m.fuzzOfEye, m.fuzzMean, m.coatMicrofacets.rough, m.coatCosine);
 #endif
     m.even += m.kept * (1.0 - layers.y) / max(m.fuzz, 1e-6) * m.fuzzColor;
 #endif
 #endif
     m.baseRatio = m.baseOfEye / meanBase;
 #ifdef LIGHT_HAS_SKY
-    m.glossAgain = clamp(m.glossAgain, vec3(0.0), m.gloss);
+    m.roughnessAgain = clamp(m.roughnessAgain, vec3(0.0), m.gloss);
 #endif
     return m;
 }

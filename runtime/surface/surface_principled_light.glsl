@@ -6,7 +6,7 @@ vec3 surfaceOwn(Lit m) { return m.emissive; }
 vec3 glossAround(Lit m)
 {
 #ifdef LIT_COAT
-    return m.gloss + m.coatGloss;
+    return m.gloss + m.coatLobe;
 #else
     return m.gloss;
 #endif
@@ -36,13 +36,13 @@ Lit surfaceMatt(Lit m)
     m.metal = 0.0;
     m.tint = m.gloss = vec3(0.0);
 #ifdef LIGHT_HAS_SKY
-    m.glossAgain = vec3(0.0);
+    m.roughnessAgain = vec3(0.0);
 #endif
 #ifdef LIT_LAYERS
     m.metalBounce = m.dielectricBounce = vec3(0.0);
 #endif
 #ifdef LIT_COAT
-    m.coatShine = m.coatGloss = 0.0;
+    m.coatShine = m.coatLobe = 0.0;
 #endif
     return m;
 }
@@ -79,7 +79,7 @@ vec3 surfaceLobe(Lit m, vec3 l)
     // l.h is half of the length of l + v
     float facing = min(0.5 * square * over, 1.0), rest = 1.0 - facing, rest2 = rest * rest, rest5 = rest2 * rest2 * rest;
 #ifdef LIT_ANISOTROPY
-    float once = facetsAlong(m.anisotropy, m.normal, l, h, cosine, vec2(m.cosine, m.masked));
+    float once = microfacetsAlong(m.anisotropy, m.normal, l, h, cosine, vec2(m.cosine, m.masked));
 #else
     float once = facets(m.alpha, m.normal, h, cosine, vec2(m.cosine, m.masked));
 #endif
@@ -92,7 +92,7 @@ vec3 surfaceLobe(Lit m, vec3 l)
     if (m.layered) {
         float ofCoat = coatCosineOf(m, l, cosine), even = evenOf(m.facets.rough, cosine);
         vec4 layers = below(m, cosine, ofCoat, own.x);
-        stray = cosine * strayed(m, layers.w, own) * m.strayRatio;
+        stray = cosine * strayed(m, layers.w, own) * m.multipleScatteringRatio;
         matt *= layers.z;
         again *= layers.z;
 #ifdef LIT_COAT
@@ -102,7 +102,7 @@ vec3 surfaceLobe(Lit m, vec3 l)
         shine = dot(m.coatNormal, l) > 0.0 ? shine : 0.0;
 #endif
 #ifdef LIT_FUZZ
-        shine *= veil(layers.y, m.fuzzCoatVeil, m.fuzzMean, evenOf(m.coatFacets.rough, ofCoat));
+        shine *= veil(layers.y, m.fuzzCoatVeil, m.fuzzMean, evenOf(m.coatMicrofacets.rough, ofCoat));
 #endif
         above = vec3(shine);
 #endif
@@ -138,15 +138,15 @@ vec3 surfaceLobe(Lit m, vec3 l)
 
 #ifdef LIGHT_HAS_SKY
 // The microfacets' frame, and their widths along its first two axes.
-struct SkyFacets {
+struct SkyMicrofacets {
     mat3 frame;
     vec2 widths;
 };
 
-SkyFacets skyFacetsEven(vec3 normal, float alpha)
+SkyMicrofacets skyMicrofacetsEven(vec3 normal, float alpha)
 {
     vec3 aside = normalize(abs(normal.z) < 0.7 ? cross(normal, vec3(0.0, 0.0, 1.0)) : cross(normal, vec3(1.0, 0.0, 0.0)));
-    return SkyFacets(mat3(aside, cross(normal, aside), normal), vec2(alpha));
+    return SkyMicrofacets(mat3(aside, cross(normal, aside), normal), vec2(alpha));
 }
 
 // Returns the mean of the sky weighted by the microfacets' reflection, with reflectance `low` at
@@ -156,7 +156,7 @@ SkyFacets skyFacetsEven(vec3 normal, float alpha)
 // texels are as large as the sample's solid angle.
 //   Worked example, width 1 along the normal: microfacet normals are uniform over the sphere's
 //   upper cap, and one at 60 degrees mirrors from below the horizon, so it counts nothing.
-vec3 skySent(SkyFacets f, vec3 toEye, vec3 low, vec3 high)
+vec3 skySent(SkyMicrofacets f, vec3 toEye, vec3 low, vec3 high)
 {
     vec3 v = toEye * f.frame;
     v.z = max(v.z, 1e-3);
@@ -186,12 +186,12 @@ vec3 skySent(SkyFacets f, vec3 toEye, vec3 low, vec3 high)
 // count as diffuse.
 vec3 surfaceSky(Lit m)
 {
-    vec3 sum = (m.even + m.glossAgain) * skyIrradiance(m.normal), once = m.gloss - m.glossAgain;
+    vec3 sum = (m.even + m.roughnessAgain) * skyIrradiance(m.normal), once = m.gloss - m.roughnessAgain;
     if (any(greaterThan(once, vec3(0.0)))) {
 #ifdef LIT_ANISOTROPY
-        SkyFacets facets = SkyFacets(mat3(m.anisotropy.along, m.anisotropy.across, m.normal), m.anisotropy.widths);
+        SkyMicrofacets facets = SkyMicrofacets(mat3(m.anisotropy.along, m.anisotropy.across, m.normal), m.anisotropy.widths);
 #else
-        SkyFacets facets = skyFacetsEven(m.normal, m.alpha);
+        SkyMicrofacets facets = skyMicrofacetsEven(m.normal, m.alpha);
 #endif
         sum += once * skySent(facets, m.toEye, mix(m.tint * m.reflectance, m.base, m.metal), mix(m.tint, vec3(1.0), m.metal));
     }
@@ -199,7 +199,7 @@ vec3 surfaceSky(Lit m)
     if (any(greaterThan(m.evenBehind, vec3(0.0)))) sum += m.evenBehind * skyIrradiance(-m.normal);
 #endif
 #ifdef LIT_COAT
-    if (m.coatGloss > 0.0) sum += m.coatGloss * skySent(skyFacetsEven(m.coatNormal, m.coatAlpha), m.toEye, vec3(m.coatReflectance), vec3(1.0));
+    if (m.coatLobe > 0.0) sum += m.coatLobe * skySent(skyMicrofacetsEven(m.coatNormal, m.coatAlpha), m.toEye, vec3(m.coatReflectance), vec3(1.0));
 #endif
     return sum;
 }
@@ -210,7 +210,7 @@ vec3 surfaceHemisphere(Lit m)
 {
     vec3 sum = m.even * hemisphereMatt(m.normal) + evenFromBehind(m) * hemisphereMatt(-m.normal) + m.gloss * hemisphereMirrored(m.reflected);
 #ifdef LIT_COAT
-    sum += m.coatGloss * hemisphereMirrored(reflect(-m.toEye, m.coatNormal));
+    sum += m.coatLobe * hemisphereMirrored(reflect(-m.toEye, m.coatNormal));
 #endif
     return sum;
 }
@@ -221,7 +221,7 @@ int surfaceAreaSides(Lit m)
 {
     int sides = 2;
 #ifdef LIT_COAT
-    if (m.coatGloss > 0.0) sides++;
+    if (m.coatLobe > 0.0) sides++;
 #endif
 #ifdef LIT_BEHIND
     if (any(greaterThan(m.evenBehind, vec3(0.0)))) sides++;
@@ -237,10 +237,10 @@ AreaSide surfaceAreaSide(Lit m, int i)
     if (i > 1 && i + 1 == surfaceAreaSides(m) && any(greaterThan(m.evenBehind, vec3(0.0)))) return areaPowers(-m.normal, m.evenBehind, vec3(0.0), -m.normal, -m.normal, 0.0);
 #endif
     AreaSide side = areaPowers(m.normal, i == 0 ? m.even : m.gloss, vec3(0.0), m.normal, m.normal, i == 0 ? 0.0 : -1.0);
-    side.into = m.glossInto;
+    side.into = m.roughnessInto;
 #ifdef LIT_COAT
     if (i == 2) {
-        side = areaPowers(m.coatNormal, vec3(m.coatGloss), vec3(0.0), m.coatNormal, m.coatNormal, -1.0);
+        side = areaPowers(m.coatNormal, vec3(m.coatLobe), vec3(0.0), m.coatNormal, m.coatNormal, -1.0);
         side.into = m.coatInto;
     }
 #endif

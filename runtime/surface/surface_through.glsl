@@ -13,7 +13,7 @@ vec3 notReflected(Surface s, vec3 toEye)
     reflectance = clamp(s.reflectance, 0.0, 1.0);
 #endif
     rough = clamp(rough, 0.0316227766, 1.0);
-    vec2 base = albedo(cosine, glossOf(rough));
+    vec2 base = albedo(cosine, roughnessOf(rough));
 #ifdef LIT_FILM
     left *= 1.0 - filmedOf(filmOf(s), base, vec2(cosine, rough * rough), reflectance, vec3(0.0));
 #else
@@ -23,7 +23,7 @@ vec3 notReflected(Surface s, vec3 toEye)
     if (s.coat > 0.0) {
         Coat coat = coatOf(s);
         float ofCoat = clamp(abs(dot(coatNormalOf(s, s.normal), toEye)), 1e-3, 1.0);
-        left *= coat.tint * (1.0 - min(s.coat, 1.0) * coatAlbedo(albedo(ofCoat, glossOf(coat.rough)), coat.reflectance));
+        left *= coat.tint * (1.0 - min(s.coat, 1.0) * coatAlbedo(albedo(ofCoat, roughnessOf(coat.rough)), coat.reflectance));
     }
 #endif
 #ifdef LIT_FUZZ

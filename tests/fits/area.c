@@ -1,4 +1,4 @@
-/* Prints the polynomials of areaFacets() in runtime/surface/surface_facets.glsl: linearly
+/* Prints the polynomials of areaMicrofacets() in runtime/surface/surface_microfacets.glsl: linearly
  * transformed cosines that stand for GGX (Heitz, Dupuy, Hill and Neubelt 2016), by roughness and
  * the eye's angle, and how far they are from those that were found.
  *

@@ -1,5 +1,5 @@
-/* Prints the polynomials of runtime/surface/surface_facets.glsl that a rough diffuse base asks for,
- * and how far each is from its integral. With S the sine,
+/* Prints the polynomials of runtime/surface/surface_microfacets.glsl that a rough diffuse base asks
+ * for, and how far each is from its integral. With S the sine,
  *
  *     G(c, k) = S(c) / pi * the integral over c' from 0 to 1 of S(c') (1 / max(c, c') - 1) (1 -
  *         c')^k 2 c' dc'

@@ -1,7 +1,7 @@
-/* Prints the numbers of runtime/surface/surface_facets.glsl: how lanes of linear sRGB respond to
- * light whose strength is cos(2 pi way / wavelength), as sums of terms exp(-narrow way^2) cos(turn
- * way), way in micrometres. The CIE's observer of 1931 is as Wyman, Sloan and Shirley (2013) have
- * it; a lane's response is 1 for way 0.
+/* Prints the numbers of runtime/surface/surface_microfacets.glsl: how lanes of linear sRGB respond
+ * to light whose strength is cos(2 pi way / wavelength), as sums of terms exp(-narrow way^2)
+ * cos(turn way), way in micrometres. The CIE's observer of 1931 is as Wyman, Sloan and Shirley
+ * (2013) have it; a lane's response is 1 for way 0.
  *
  *     build/tests/fit_film          # some seconds
  *

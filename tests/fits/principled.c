@@ -1,5 +1,5 @@
-/* Prints the polynomials of runtime/surface/surface_facets.glsl, and how far each is from the
- * integrals that it is fitted to: what facets lose and what grazes, by glossOf(); what a white
+/* Prints the polynomials of runtime/surface/surface_microfacets.glsl, and how far each is from the
+ * integrals that it is fitted to: what facets lose and what grazes, by roughnessOf(); what a white
  * rough mirror lacks below a coat and below fuzz, by coatSpread() and fuzzSpread().
  *
  *     build/tests/fit_principled          # some seconds

@@ -4,12 +4,13 @@
 #include <string.h>
 
 /* A little off the surface, on the light's side. */
-static double leave(const SceneLight *light, const double point[3], const double facet[3], Ray *ray)
+static double leave(const SceneLight *light, const double point[3], const double microfacet[3],
+                    Ray *ray)
 {
     const double distance = shadow_way_to(light, point, ray->way);
-    const double off = (reference_dot(facet, ray->way) < 0 ? -1 : 1) * 3e-5;
+    const double off = (reference_dot(microfacet, ray->way) < 0 ? -1 : 1) * 3e-5;
     for (int i = 0; i < 3; i++)
-        ray->at[i] = point[i] + off * facet[i];
+        ray->at[i] = point[i] + off * microfacet[i];
     return distance;
 }
 
@@ -100,10 +101,10 @@ static void multiply(const Tracer *tracer, const Hit *hit, double shares[3])
 }
 
 void glass_shares(const Tracer *tracer, const SceneLight *light, const double point[3],
-                  const double facet[3], double shares[3])
+                  const double microfacet[3], double shares[3])
 {
     Ray ray;
-    const double distance = leave(light, point, facet, &ray);
+    const double distance = leave(light, point, microfacet, &ray);
     double behind = 0;
     shares[0] = shares[1] = shares[2] = 1;
     while (shares[0] + shares[1] + shares[2] > 0) {

@@ -10,5 +10,5 @@ const char *glass_text(int number);
 /* The share of a light that reaches a point of a facet; where the scene's shadows are not coloured,
  * all or nothing passes a surface. */
 void glass_shares(const Tracer *tracer, const SceneLight *light, const double point[3],
-                  const double facet[3], double shares[3]);
+                  const double microfacet[3], double shares[3]);
 #endif

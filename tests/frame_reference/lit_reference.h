@@ -12,8 +12,8 @@
 #define MATC_LIT_REFERENCE_H
 #include "compiler/oracle/oracle.h"
 
-/* Parts of the light that leaves a surface: EVEN diffuse and fuzz, GLOSS specular reflection, COAT
- * reflection by the coat, BEHIND diffuse transmission, STRAIGHT unscattered transmission. */
+/* Parts of the light that leaves a surface: EVEN diffuse and fuzz, ROUGHNESS specular reflection,
+ * COAT reflection by the coat, BEHIND diffuse transmission, STRAIGHT unscattered transmission. */
 enum { LIT_EVEN, LIT_GLOSS, LIT_COAT, LIT_BEHIND, LIT_STRAIGHT, LIT_PARTS };
 enum { LIT_STEPS = 32 }; /* steps of tables over the square root of the cosine */
 

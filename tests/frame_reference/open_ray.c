@@ -83,8 +83,9 @@ Open open_ray(const Tracer *tracer, const Hit *hit, OpenRays *rays, const MatcOp
     Ray ray;
     for (int i = 0; i < 3; i++) {
         n[i] = side * hit->normal[i];
-        ray.at[i] = hit->world[i] + (reference_dot(hit->facet, hit->normal) < 0 ? -side : side) *
-                                        off * hit->facet[i];
+        ray.at[i] =
+            hit->world[i] + (reference_dot(hit->microfacet, hit->normal) < 0 ? -side : side) * off *
+                                hit->microfacet[i];
     }
     for (int k = 0; k < rays->across * rays->across; k++) {
         const double place[2] = {(k % rays->across + chance(&rays->state)) / rays->across,

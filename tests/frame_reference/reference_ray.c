@@ -149,7 +149,7 @@ static void reference_triangle(const SceneObject *object, const Shape *shape, un
     }
     reference_cross(a, b, face);
     hit->front = reference_dot(face, ray.way) < 0;
-    reference_normal(&object->world_from_local, face, hit->facet);
+    reference_normal(&object->world_from_local, face, hit->microfacet);
     reference_fill(object, shape, corner, st, hit);
 }
 
@@ -176,7 +176,7 @@ void reference_plane(const SceneObject *object, const Ray *world, double behind,
     reference_normal(&object->world_from_local, z, hit->normal);
     memset(hit->normal_slopes, 0, sizeof hit->normal_slopes);
     memset(hit->tangent_slopes, 0, sizeof hit->tangent_slopes);
-    memcpy(hit->facet, hit->normal, sizeof hit->facet);
+    memcpy(hit->microfacet, hit->normal, sizeof hit->microfacet);
 }
 
 bool reference_is_blocked(const Tracer *tracer, const double from[3], const double way[3],

@@ -20,7 +20,7 @@ typedef struct {
      * lie on a line */
     double normal_slopes[2][3];
     double tangent_slopes[2][2][3]; /* the same of dP/du (0) and dP/dv (1), by u (0) and by v (1) */
-    double facet[3];                /* the normal of the triangle, or of the plane */
+    double microfacet[3];           /* the normal of the triangle, or of the plane */
     bool front;
 } Hit;
 

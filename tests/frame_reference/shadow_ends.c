@@ -67,7 +67,8 @@ static void see_pixel(const Tracer *tracer, const ShadowView *view, int pixel, b
         seen->places[pixel][i] =
             (reference_dot(view->rows[i], hit.world) + view->rows[i][3]) * scene->shadow_size / 2;
     /* of a closed body what looks away is in its own shadow */
-    seen->truth[pixel] = same && shadow_is_lit(tracer, &scene->lights[0], hit.world, hit.facet);
+    seen->truth[pixel] =
+        same && shadow_is_lit(tracer, &scene->lights[0], hit.world, hit.microfacet);
 }
 
 static double distance_of(const Scene *scene, const ShadowView *view, const float *shares, bool all)

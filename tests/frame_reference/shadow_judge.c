@@ -10,7 +10,7 @@ static const double tie = 1e-6; /* of the reach */
 typedef struct {
     int object;
     unsigned triangle;
-    double point[3], facet[3];
+    double point[3], microfacet[3];
 } Seen;
 
 static void corners_of(const Tracer *tracer, int object, unsigned triangle, double corners[3][3])
@@ -78,7 +78,7 @@ static bool see(const Tracer *tracer, const Ray *ray, Seen *seen)
         return false;
     seen->object = hit.object;
     memcpy(seen->point, hit.world, sizeof hit.world);
-    memcpy(seen->facet, hit.facet, sizeof hit.facet);
+    memcpy(seen->microfacet, hit.microfacet, sizeof hit.microfacet);
     if (tracer->scene->objects[hit.object].kind == SCENE_Plane)
         return true;
     rtcInitIntersectContext(&context);
@@ -137,9 +137,9 @@ static bool is_dark(const Tracer *tracer, const SceneLight *light, const double 
 /* A little off the surface, on the light's side. */
 static void lift(const ShadowJudge *judge, const double way[3], const Seen *seen, double lifted[3])
 {
-    const double off = (reference_dot(seen->facet, way) < 0 ? -1 : 1) * 3 * tie * judge->reach;
+    const double off = (reference_dot(seen->microfacet, way) < 0 ? -1 : 1) * 3 * tie * judge->reach;
     for (int i = 0; i < 3; i++)
-        lifted[i] = seen->point[i] + off * seen->facet[i];
+        lifted[i] = seen->point[i] + off * seen->microfacet[i];
 }
 
 /* Embree's answer. */

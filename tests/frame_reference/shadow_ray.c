@@ -18,7 +18,7 @@ bool shadow_sides_agree(const SceneLight *light, const Hit *hit)
 {
     double way[3];
     shadow_way_to(light, hit->world, way);
-    return reference_dot(way, hit->facet) * reference_dot(way, hit->normal) > 0;
+    return reference_dot(way, hit->microfacet) * reference_dot(way, hit->normal) > 0;
 }
 
 double shadow_texel(const Scene *scene, const SceneLight *light, const double point[3],
@@ -47,13 +47,13 @@ bool shadow_is_behind_plane(const Scene *scene, const double from[3], const doub
 }
 
 bool shadow_is_lit(const Tracer *tracer, const SceneLight *light, const double point[3],
-                   const double facet[3])
+                   const double microfacet[3])
 {
     double way[3], from[3];
     const double distance = shadow_way_to(light, point, way);
-    const double off = (reference_dot(facet, way) < 0 ? -1 : 1) * 3e-5;
+    const double off = (reference_dot(microfacet, way) < 0 ? -1 : 1) * 3e-5;
     for (int i = 0; i < 3; i++)
-        from[i] = point[i] + off * facet[i];
+        from[i] = point[i] + off * microfacet[i];
     return !reference_is_blocked(tracer, from, way, distance) &&
            !shadow_is_behind_plane(tracer->scene, from, way, distance);
 }
@@ -70,7 +70,8 @@ void shadow_beside(const Hit *hit, const double way[3], double step, double angl
     reference_cross(way, x, y);
     for (int i = 0; i < 3; i++)
         across[i] = step * (cos(angle) * x[i] + sin(angle) * y[i]);
-    const double along = -reference_dot(across, hit->facet) / reference_dot(way, hit->facet);
+    const double along =
+        -reference_dot(across, hit->microfacet) / reference_dot(way, hit->microfacet);
     for (int i = 0; i < 3; i++)
         moved[i] = hit->world[i] + across[i] + along * way[i];
 }

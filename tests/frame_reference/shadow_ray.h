@@ -16,7 +16,7 @@ bool shadow_is_behind_plane(const Scene *scene, const double from[3], const doub
 /* Whether nothing is between a light and a point a little off a surface, on the light's side of
  * it. */
 bool shadow_is_lit(const Tracer *tracer, const SceneLight *light, const double point[3],
-                   const double facet[3]);
+                   const double microfacet[3]);
 /* A step on the tangent plane that is `step` across the light's way, at an angle around it. */
 void shadow_beside(const Hit *hit, const double way[3], double step, double angle, double moved[3]);
 

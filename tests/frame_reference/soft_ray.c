@@ -17,9 +17,9 @@ static bool reaches(const Tracer *tracer, const Hit *hit, const double way[3])
 {
     struct RTCIntersectContext context;
     double from[3];
-    const double off = (reference_dot(hit->facet, way) < 0 ? -1 : 1) * 3e-5;
+    const double off = (reference_dot(hit->microfacet, way) < 0 ? -1 : 1) * 3e-5;
     for (int i = 0; i < 3; i++)
-        from[i] = hit->world[i] + off * hit->facet[i];
+        from[i] = hit->world[i] + off * hit->microfacet[i];
     struct RTCRay ray = {.org_x = (float)from[0],
                          .org_y = (float)from[1],
                          .org_z = (float)from[2],
@@ -44,7 +44,7 @@ static void trace(const Tracer *tracer, const Hit *hit, const double way[3], boo
     }
     for (int i = 0; i < 3; i++)
         place.position[i] = hit->world[i] + way[i];
-    glass_shares(tracer, &place, hit->world, hit->facet, shares);
+    glass_shares(tracer, &place, hit->world, hit->microfacet, shares);
 }
 
 /* The way to a place of the light, and what a ray from there counts. */

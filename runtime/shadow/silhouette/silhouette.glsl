@@ -117,10 +117,10 @@ bool silhouetteReaches(int view, vec3 point, vec3 normal, float pixel)
     return !silhouetteCovers(covered.wz, covered.xy, cut, part);
 }
 
-#ifdef FACETS // facet.glsl sets both variables for each light
-vec3 facet_side = vec3(0.0); // triangle normal of the pixel, towards the light; 0: unknown
+#ifdef FACETS // triangle.glsl sets both variables for each light
+vec3 triangle_side = vec3(0.0); // triangle normal of the pixel, towards the light; 0: unknown
 // the triangle faces away from the light, while the shading normal does not
-bool facet_away = false;
+bool triangle_away = false;
 #endif
 
 #ifdef SHADOW_GLASS
@@ -158,8 +158,8 @@ SHARE silhouetteShare(int first, int count, vec3 point, vec3 normal, float pixel
     if (how.x > 0.0 && place.z <= 0.0) return shadowNone(); // the point is behind a spot light
     float texel = how.y * (how.x > 0.0 ? place.z : 1.0);
 #ifdef FACETS
-    if (facet_away) return SHARE(0.0);
-    if (!silhouetteReaches(first + face, point, facet_side == vec3(0.0) ? normal : facet_side, pixel / texel)) return SHARE(0.0);
+    if (triangle_away) return SHARE(0.0);
+    if (!silhouetteReaches(first + face, point, triangle_side == vec3(0.0) ? normal : triangle_side, pixel / texel)) return SHARE(0.0);
 #else
     if (!silhouetteReaches(first + face, point, normal, pixel / texel)) return SHARE(0.0);
 #endif

@@ -55,9 +55,9 @@ static void write_text(const Renderer *renderer, bool nearest, ShadowMethodText 
     made->calls[SHADOW_CALL_view] = "silhouetteShare";
     if (!facets)
         return;
-    *next = render_text_facet;
-    made->calls[SHADOW_CALL_pixel] = "facetFind";
-    made->calls[SHADOW_CALL_way] = "facetTurn";
+    *next = render_text_triangle;
+    made->calls[SHADOW_CALL_pixel] = "triangleFind";
+    made->calls[SHADOW_CALL_way] = "triangleTurn";
 }
 
 static void bind(const Renderer *renderer, int unit)
@@ -82,7 +82,7 @@ static void put(Text *out, const Renderer *renderer)
                     (unsigned long)silhouettes->edge_count * sizeof(SilhouetteEdge));
 }
 
-static const SeenText seen = {.fragment = render_text_facet_slopes};
+static const SeenText seen = {.fragment = render_text_triangle_slopes};
 
 const ShadowMethod shadow_silhouette = {
     .word = WORD_Shadows_silhouette,

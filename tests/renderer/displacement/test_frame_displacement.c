@@ -311,12 +311,12 @@ static void shadows_are_those_of_the_displaced_shape(void **state)
             const Hit hit = reference_hit(&tracer, &ray, 0);
             if (hit.object != 1) /* the floor */
                 continue;
-            const bool lit = shadow_is_lit(&tracer, &scene->lights[0], hit.world, hit.facet);
+            const bool lit = shadow_is_lit(&tracer, &scene->lights[0], hit.world, hit.microfacet);
             bool agree = true;
             for (int k = 0; agree && k < 8; k++) { /* an end of a shadow is a hundredth away */
                 double moved[3] = {hit.world[0] + .01 * cos(.8 * k),
                                    hit.world[1] + .01 * sin(.8 * k), hit.world[2]};
-                agree = shadow_is_lit(&tracer, &scene->lights[0], moved, hit.facet) == lit;
+                agree = shadow_is_lit(&tracer, &scene->lights[0], moved, hit.microfacet) == lit;
             }
             if (!agree)
                 continue;

@@ -220,10 +220,10 @@ static int is_seen(const Tracer *tracer, const Hit *middle, const Hit *hit)
         return NOTHING;
     for (int k = 0; k < 3; k++) {
         ray.way[k] = hit->world[k] - middle->world[k];
-        ray.at[k] = middle->world[k] + 1e-6 * middle->facet[k];
+        ray.at[k] = middle->world[k] + 1e-6 * middle->microfacet[k];
         far += ray.way[k] * ray.way[k];
-        faces[0] += middle->facet[k] * ray.way[k];
-        faces[1] -= hit->facet[k] * ray.way[k];
+        faces[0] += middle->microfacet[k] * ray.way[k];
+        faces[1] -= hit->microfacet[k] * ray.way[k];
     }
     far = sqrt(far);
     for (int k = 0; k < 3; k++)

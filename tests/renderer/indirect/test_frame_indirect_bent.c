@@ -56,7 +56,7 @@ static void look_around(const Tracer *tracer, const Hit *hit, Place *place)
     reference_normalize(u);
     reference_cross(n, u, v);
     for (int k = 0; k < 3; k++)
-        from[k] = hit->world[k] + 1e-4 * hit->facet[k];
+        from[k] = hit->world[k] + 1e-4 * hit->microfacet[k];
     for (int i = 0; i < ACROSS * ACROSS; i++) {
         const double s = (i % ACROSS + .5) / ACROSS, turn = 2 * pi * (i / ACROSS + .5) / ACROSS;
         double way[3];

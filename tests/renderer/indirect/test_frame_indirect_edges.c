@@ -39,7 +39,7 @@ static void find_lit(const Scene *scene, unsigned char *lit)
         if (!isfinite(hit.distance) || hit.object > 1 ||
             reference_is_edge(&tracer, p % EDGE, p / EDGE, &hit, 1))
             continue;
-        lit[p] = shadow_is_lit(&tracer, &scene->lights[0], hit.world, hit.facet) ? LIT : DARK;
+        lit[p] = shadow_is_lit(&tracer, &scene->lights[0], hit.world, hit.microfacet) ? LIT : DARK;
     }
     reference_close(&tracer);
 }

@@ -78,8 +78,9 @@ static bool is_turned(const SceneCamera *camera, const Hit *hit, const Ray *ray)
     const bool flat = camera->kind == SCENE_Orthographic;
     double sides[2] = {0};
     for (int k = 0; k < 3; k++) {
-        sides[0] += hit->facet[k] * (flat ? camera->back[k] : camera->position[k] - hit->world[k]);
-        sides[1] -= hit->facet[k] * ray->way[k];
+        sides[0] +=
+            hit->microfacet[k] * (flat ? camera->back[k] : camera->position[k] - hit->world[k]);
+        sides[1] -= hit->microfacet[k] * ray->way[k];
     }
     return sides[0] * sides[1] > 0;
 }

@@ -78,7 +78,7 @@ static double open_by_rays(const Place *p, const Tracer *tracer, const Hit *hit,
     float(*texels)[4] = points.texels[number];
     double from[3], open = 0;
     for (int i = 0; i < 3; i++)
-        from[i] = hit->world[i] + 3e-5 * hit->facet[i];
+        from[i] = hit->world[i] + 3e-5 * hit->microfacet[i];
     for (int k = 0; k < points.rays; k++) {
         const float *d = points.directions[k];
         double way[3];
@@ -99,9 +99,9 @@ static void make_points(const Place *p)
         Hit hit = reference_hit(&tracer, &ray, 0);
         if (hit.object < 0)
             continue;
-        for (int k = 0, away = reference_dot(hit.facet, ray.way) > 0; k < 3; k++)
-            hit.facet[k] *= away ? -1 : 1;
-        voxel_points_set(&points, i, &p->renderer->voxels->grid, hit.world, hit.facet);
+        for (int k = 0, away = reference_dot(hit.microfacet, ray.way) > 0; k < 3; k++)
+            hit.microfacet[k] *= away ? -1 : 1;
+        voxel_points_set(&points, i, &p->renderer->voxels->grid, hit.world, hit.microfacet);
         truth[i] = open_by_rays(p, &tracer, &hit, i);
     }
     reference_close(&tracer);

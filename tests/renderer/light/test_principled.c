@@ -35,7 +35,7 @@ static const char tools[] =
     "0.9), vec3(1.0, varied(p, 0.271), 0.8), "
     "vec3(varied(p, 0.733), rough, 0.3 * varied(p, 0.137))); }\n";
 static const char fits[] = "vec4 passPixel(ivec2 p) { return vec4(albedo(cosineOf(p), "
-                           "glossOf(roughOf(p))), 0.0, 1.0); }\n";
+                           "roughnessOf(roughOf(p))), 0.0, 1.0); }\n";
 static const char lobes[] =
     "vec4 passPixel(ivec2 p) { Lit m = surfaceLit(mixed(p, roughOf(p)), toward(cosineOf(p), 0.0)); "
     "return vec4(surfaceLobe(m, toward(0.05 + 0.9 * varied(p, 0.5701), 3.14159 + (0.5 - varied(p, "
@@ -83,7 +83,7 @@ static const char areas[] =
     "    vec3 x = normalize(cross(to, vec3(0.3, 0.8, 0.52))), y = cross(to, x);\n"
     "    Area light = areaSeen(to - size * (x + 0.6 * y), 2.0 * size * x, 1.2 * size * y, true);\n"
     "    AreaSide side = areaPowers(n, vec3(0.0), vec3(1.0), n, n, -1.0);\n"
-    "    side.into = areaFacets(rough, n, v);\n"
+    "    side.into = areaMicrofacets(rough, n, v);\n"
     "    side.even = vec3(1.0);\n"
     "    float exponent = clamp(0.5 / pow(rough, 4.0) - 0.5, 0.0, 65504.0);\n"
     "    AreaSide other = areaPowers(n, vec3(0.0), vec3(0.5 * exponent + 1.0), reflect(-v, n), "

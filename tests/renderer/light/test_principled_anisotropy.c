@@ -52,14 +52,15 @@ static const char fits[] = "vec4 passPixel(ivec2 p) { Anisotropy m = anisotropyO
                            "    return vec4(albedoAlong(cosineOf(p), anisotropyToward(m, "
                            "eyeOf(p)), m), albedoAround(cosineOf(p), m)); }\n";
 /* Around the mirrored direction, as wide as the lobe is. */
-static const char lobes[] = "vec4 passPixel(ivec2 p) { Anisotropy m = anisotropyOf(directionOf(p), "
-                            "vec3(0.0, 0.0, 1.0), roughOf(p));\n"
-                            "    vec3 v = eyeOf(p), l = normalize(reflect(-v, vec3(0.0, 0.0, 1.0)) "
-                            "+ roughOf(p) * roughOf(p) * (lightOf(p) - "
-                            "vec3(0.0, 0.0, 0.4)));\n"
-                            "    l.z = max(l.z, 0.05); l = normalize(l);\n"
-                            "    return vec4(facetsAlong(m, vec3(0.0, 0.0, 1.0), l, normalize(l + "
-                            "v), l.z, vec2(v.z, maskedAlong(m, v, v.z))), l); }\n";
+static const char lobes[] =
+    "vec4 passPixel(ivec2 p) { Anisotropy m = anisotropyOf(directionOf(p), "
+    "vec3(0.0, 0.0, 1.0), roughOf(p));\n"
+    "    vec3 v = eyeOf(p), l = normalize(reflect(-v, vec3(0.0, 0.0, 1.0)) "
+    "+ roughOf(p) * roughOf(p) * (lightOf(p) - "
+    "vec3(0.0, 0.0, 0.4)));\n"
+    "    l.z = max(l.z, 0.05); l = normalize(l);\n"
+    "    return vec4(microfacetsAlong(m, vec3(0.0, 0.0, 1.0), l, normalize(l + "
+    "v), l.z, vec2(v.z, maskedAlong(m, v, v.z))), l); }\n";
 /* Half of the directions by what the eye sees of the facets (Heitz 2018), half by the cosine; the
  * coat's are wide. */
 static const char furnace[] =

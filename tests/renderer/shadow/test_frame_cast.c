@@ -20,7 +20,7 @@ enum { WIDTH = 120, HEIGHT = 90, PIXELS = WIDTH * HEIGHT, FAR = 400 /* across th
 static void shares_of(const Tracer *tracer, const SceneLight *light, const Hit *hit,
                       double shares[3])
 {
-    glass_shares(tracer, light, hit->world, hit->facet, shares);
+    glass_shares(tracer, light, hit->world, hit->microfacet, shares);
 }
 
 /* As far as all can be seen there: the far ground is 400 deep, so cascades end at 25, 100 and 400;
@@ -62,12 +62,12 @@ static bool is_even(const Tracer *tracer, const SceneLight *light, const Hit *hi
         3.0 * (tracer->scene->shadow_filter + 1) * texel_at(tracer->scene, light, hit->world);
     double way[3], moved[3], shares[3], others[3];
     shadow_way_to(light, hit->world, way);
-    if (reference_dot(way, hit->facet) * reference_dot(way, hit->normal) <= 0)
+    if (reference_dot(way, hit->microfacet) * reference_dot(way, hit->normal) <= 0)
         return false; /* at the terminator of what triangles stand for */
     shares_of(tracer, light, hit, shares);
     for (int i = 0; i < 24; i++) {
         shadow_beside(hit, way, step * (i / 8 + 1) / 3, PI / 4 * i + i / 8, moved);
-        glass_shares(tracer, light, moved, hit->facet, others);
+        glass_shares(tracer, light, moved, hit->microfacet, others);
         for (int k = 0; k < 3; k++)
             if (fabs(shares[k] - others[k]) > 1e-9)
                 return false;

@@ -84,7 +84,7 @@ static void add(const Tracer *tracer, const Case *c, int pixel, double share, Co
     if (hit.object < 0 || reference_is_edge(tracer, pixel % WIDTH, pixel / WIDTH, &hit, 1))
         return;
     shadow_way_to(&tracer->scene->lights[0], hit.world, way);
-    if (reference_dot(way, hit.facet) <= .05 * sqrt(reference_dot(way, way)) ||
+    if (reference_dot(way, hit.microfacet) <= .05 * sqrt(reference_dot(way, way)) ||
         reference_dot(way, hit.normal) <= 0)
         return; /* at the terminator of what is not smooth */
     const int lit = expected(tracer, &hit, c);

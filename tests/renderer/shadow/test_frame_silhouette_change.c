@@ -22,7 +22,7 @@ static void changes(void **state)
 }
 
 /* Other triangles are seen where something opaque has moved, and nothing is counted again. */
-static void facets(void **state)
+static void microfacets(void **state)
 {
     (void)state;
     const MatcOptions options = frame_exact_options();
@@ -61,7 +61,7 @@ static void older_drivers(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(changes), cmocka_unit_test(facets),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(changes), cmocka_unit_test(microfacets),
                                        cmocka_unit_test(glass), cmocka_unit_test(older_drivers)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -41,7 +41,7 @@ float rowAt(Row a, float x) { return a.low.x + x * (a.low.y + x * (a.low.z + x *
 
 // Part of GGX's albedos that depends on the roughness only: polynomials in a function of the angle,
 // evaluated by albedo().
-struct Gloss {
+struct Roughness {
     float alpha, rough;
     Row loss, grazing;
 };
@@ -70,12 +70,12 @@ Row grazingOf(float rough)
                     dot(p, vec4(2.82127544, 11.1127891, -302.8796, 575.312636)) + dot(q, vec2(-229.887532, 63.4033289))));
 }
 
-Gloss glossOf(float rough) { return Gloss(rough * rough, rough, lossOf(rough * rough), grazingOf(rough)); }
+Roughness roughnessOf(float rough) { return Roughness(rough * rough, rough, lossOf(rough * rough), grazingOf(rough)); }
 
 // Albedos of the lobe with a Fresnel term of 1: x is 1 - E, the multiple-scattering loss; y is the
 // part of E weighted by Schlick's (1 - cosine)^5. Fitted to integrals of the lobe: within 0.0055
 // and 0.0035 for all roughnesses and angles (tests/renderer/light/test_principled.c).
-vec2 albedo(float cosine, Gloss g)
+vec2 albedo(float cosine, Roughness g)
 {
     float loss = clamp(rowAt(g.loss, cosine * (1.0 + g.alpha) / (cosine + g.alpha)), 0.0, 1.0);
     float q = clamp(rowAt(g.grazing, sqrt(cosine + 0.5 * g.alpha)), 0.0, 1.0);
@@ -365,7 +365,7 @@ Row fuzzSpread(float rough, float share)
 // m22 o.y + Z o.z.
 //   Worked example, roughness 1 along the normal: m11 = m22 = 1.1, m13 = 0: directions are spread
 //   by 1.1.
-mat3 areaFacets(float rough, vec3 normal, vec3 eye)
+mat3 areaMicrofacets(float rough, vec3 normal, vec3 eye)
 {
     float cosine = clamp(dot(normal, eye), 1e-3, 1.0), alpha = rough * rough, x = cosine * (1.0 + alpha) / (cosine + alpha);
     vec4 p;
