@@ -79,7 +79,7 @@ double compile_displacement_bound(const Ir *ir)
 }
 
 /* The host culls by this bound: warns when it is infinite. */
-static void doubt_bound(Session *session, const Ir *ir)
+static void lint_bound(Session *session, const Ir *ir)
 {
     if (!ir->displaced || isfinite(compile_displacement_bound(ir)))
         return;
@@ -109,7 +109,7 @@ Ir *compile_ir(Session *session, const Graph *graph, const Node *material, const
     if (job->choice[AXIS_trigonometry] == CHOICE_trigonometry_bounded)
         opt_trigonometry(ir);
     drop_moot(ir);
-    doubt_bound(session, ir);
+    lint_bound(session, ir);
     constants_hoist(ir);
     opt_dead(ir);
     if (ir->function_count && ir_written(ir, LIMIT_IR_NODES) > LIMIT_IR_NODES) {

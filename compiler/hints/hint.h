@@ -1,6 +1,6 @@
 /* Hints for values and names from other tools or languages: each function reports a fault that
  * it recognizes, with the correct form. Returns true if it reported one. Further hints are in
- * mistake.h. */
+ * common_error.h. */
 #ifndef MATC_HINT_H
 #define MATC_HINT_H
 #include "compiler/graph/resolver.h"

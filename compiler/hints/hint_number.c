@@ -2,7 +2,7 @@
  * accepts them. */
 #include "compiler/base/text.h"
 #include "compiler/hints/hint.h"
-#include "compiler/hints/mistake.h"
+#include "compiler/hints/common_error.h"
 #include <math.h>
 #include <string.h>
 

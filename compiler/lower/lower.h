@@ -131,7 +131,7 @@ typedef struct {
     Affine affine;          /* state of affine.c: affine forms of values */
     unsigned layout_slots;  /* the slots that the job's layout stores: layout_slots() */
     uint8_t *uniform_use;   /* by uniform: 1 used as a count, 2 as a number */
-    /* Blends whose coordinates are checked at the end, last first; lower_doubt.c. */
+    /* Blends whose coordinates are checked at the end, last first; lower_lint.c. */
     const struct Crossing *crossing;
     const struct Relief *reliefs; /* displacements whose slopes are checked, last first */
     bool detached;                /* slopes were marked by OP_detach as a footprint's */
@@ -275,12 +275,12 @@ void lower_no_case(Lower *l, const Node *material, const Env *env);
  * fit the material; alpha is part of the transparency. */
 unsigned lower_needed_slots(Lower *l, const Node *material, const Env *env);
 /* Records the coordinate of a Blend with items, and the slopes of a displacement (0: none), for
- * lower_doubt(). lower_doubt.c */
+ * lower_lint(). lower_lint.c */
 void lower_note_crossing(Lower *l, const Node *blend, Ref coordinate);
 void lower_note_relief(Lower *l, const Node *displacement, Ref by_u, Ref by_v);
 /* Warns, after lowering, of Blends whose items are never reached, and of displacements whose
  * slopes are all 0. */
-void lower_doubt(Lower *l);
+void lower_lint(Lower *l);
 Answer lower_wave(Lower *l, const Wave *wave, Answer v);
 /* Applies a wave: w(frequency f + phase), where w is the node's wave; the node's first four
  * parameters are those of VOLUME_PARAMS. */

@@ -270,7 +270,7 @@ Ir *lower_averaging(Lower *l, const LowerRequest *what, int below)
     l->averaged_below = below;
     if (!write(l, what->material))
         return NULL;
-    lower_doubt(l);
+    lower_lint(l);
     slope_done(l);
     return l->ir;
 }

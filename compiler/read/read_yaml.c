@@ -2,7 +2,7 @@
  * never expanded. */
 #include "compiler/read/read.h"
 #include "compiler/base/memory.h"
-#include "compiler/read/read_mistake.h"
+#include "compiler/read/read_common_error.h"
 #include <stdlib.h>
 #include <string.h>
 #include <yaml.h>
@@ -78,7 +78,7 @@ static bool next_event(Reader *r, yaml_event_t *event)
         at = r->b->start + (uint32_t)r->parser.problem_offset;
     const YamlFault fault = {
         problem, at, r->parser.context ? offset_of(r, r->parser.context_mark) : at, r->b->file};
-    if (read_mistake(r->session, &fault))
+    if (read_common_error(r->session, &fault))
         return false;
     diag_add(r->session, (Span){at, at + 1, r->b->file}, DIAG_syntax, problem);
     if (r->parser.context && r->parser.context_mark.line != mark.line) {

@@ -3,7 +3,7 @@
  * parameters come from the tables. */
 #include "compiler/base/stack.h"
 #include "compiler/hints/hint.h"
-#include "compiler/hints/mistake.h"
+#include "compiler/hints/common_error.h"
 #include "compiler/resolve/resolve_definition.h"
 #include <math.h>
 #include <stdlib.h>
@@ -36,8 +36,8 @@ static const char *name_of_group(const void *material, int i)
  * listed. */
 static const char *near_kind(Resolver *r, const char *name, bool material)
 {
-    const char *near =
-        mistake_foreign(r->session, material ? FOREIGN_MATERIAL : FOREIGN_MAP, KIND_COUNT, name);
+    const char *near = common_error_foreign(r->session, material ? FOREIGN_MATERIAL : FOREIGN_MAP,
+                                            KIND_COUNT, name);
     const NameChoice names = {name_of_group, &material, material ? KIND_COUNT : kind_name_count()};
     if (!near)
         near = hint_definition(r, name);
@@ -74,10 +74,10 @@ static bool find_kind(Resolver *r, const Tree *name, bool material, Kind *kind, 
     }
     const DiagKind unknown = material ? DIAG_unknown_material : DIAG_unknown_map;
     const DiagKind swapped = material ? DIAG_map_not_material : DIAG_material_not_map;
-    const char *near = other
-                           ? mistake_foreign(r->session, material ? FOREIGN_MATERIAL : FOREIGN_MAP,
-                                             KIND_COUNT, name->text)
-                           : near_kind(r, name->text, material);
+    const char *near =
+        other ? common_error_foreign(r->session, material ? FOREIGN_MATERIAL : FOREIGN_MAP,
+                                     KIND_COUNT, name->text)
+              : near_kind(r, name->text, material);
     diag_add(r->session, name->span, other ? swapped : unknown, name->text, near ? near : "");
     return false;
 }
@@ -145,9 +145,10 @@ static void set_presets(const char *preset, Kind kind, Value *params)
 static const char *near_param(Resolver *r, const KindRow *row, const char *key)
 {
     enum { MOST_LISTED = 12 }; /* longer lists do not help within a message */
-    const char *foreign = mistake_foreign(r->session, FOREIGN_PARAM, (Kind)(row - kind_table), key);
+    const char *foreign =
+        common_error_foreign(r->session, FOREIGN_PARAM, (Kind)(row - kind_table), key);
     if (!foreign)
-        foreign = mistake_foreign(r->session, FOREIGN_KEY, KIND_COUNT, key);
+        foreign = common_error_foreign(r->session, FOREIGN_KEY, KIND_COUNT, key);
     const NameChoice names = {param_name, row, row->count};
     if (foreign || row->count <= MOST_LISTED)
         return foreign ? foreign : diag_suggest_or_list(r->session, key, &names, "; it has ");
@@ -166,7 +167,7 @@ static bool resolve_member(Resolver *r, const Member *member, Kind kind, const c
     for (int i = 0; i < row->count; i++)
         if (!strcmp(param_table[row->first + i].name, member->key))
             return resolve_param(r, &param_table[row->first + i], member->value, &params[i]);
-    if (mistake_key(r->session, member->span, member->key))
+    if (common_error_key(r->session, member->span, member->key))
         return false;
     const char *near = near_param(r, row, member->key);
     diag_add(r->session, member->span, DIAG_unknown_key, name, member->key, near);
@@ -195,10 +196,10 @@ static const Node *resolve_node(Resolver *r, Tree *tree, bool material, bool out
     const Member *name = tree_find(tree, key);
     Kind kind;
     if (!name) {
-        const Member *other = mistake_case(tree, key);
+        const Member *other = common_error_case(tree, key);
         if (other)
             return diag_add(r->session, other->span, DIAG_key_case, other->key, key);
-        if (mistake_keys(r->session, tree) || hint_object(r, tree, material))
+        if (common_error_keys(r->session, tree) || hint_object(r, tree, material))
             return NULL;
         const char *hint = tree_find(tree, material ? "map" : "material")
                                ? material ? ", not `map:`" : ", not `material:`"
@@ -352,7 +353,7 @@ static const Node *resolve_constant(Resolver *r, Tree *tree)
     Value value;
     if (resolve_is_formula(tree))
         return resolve_shorthand(r, tree);
-    if (mistake_map(r, tree) || mistake_param(r, tree) || hint_listed(r->session, tree) ||
+    if (common_error_map(r, tree) || common_error_param(r, tree) || hint_listed(r->session, tree) ||
         !resolve_number(r, r->param ? r->param : "a map", tree, (LaneCount){1, 4}, &value))
         return NULL;
     return resolve_make_constant(r, (Node){.span = tree->span, .name = own_name(tree)}, value);
@@ -362,7 +363,8 @@ static const Node *resolve_new(Resolver *r, Tree *tree, bool material, bool oute
 {
     if (tree->kind == TREE_object && tree_find(tree, "ref"))
         return resolve_ref(r, tree, material);
-    if (material && tree->kind == TREE_scalar && mistake_key(r->session, tree->span, tree->text))
+    if (material && tree->kind == TREE_scalar &&
+        common_error_key(r->session, tree->span, tree->text))
         return NULL;
     if (material && hint_listed(r->session, tree))
         return NULL;

@@ -2,7 +2,7 @@
  * `colors:` selects for a file, srgb(...) and linear(...) for one color. A file's choice applies
  * to the colors written in that file, wherever they are used. */
 #include "compiler/hints/hint.h"
-#include "compiler/hints/mistake.h"
+#include "compiler/hints/common_error.h"
 #include "compiler/library/srgb.h"
 #include "compiler/base/text.h"
 #include "compiler/base/warnings.h"
@@ -117,7 +117,7 @@ static bool named_color(Resolver *r, const Tree *tree, const char *text, Value *
         value->type = TYPE_vec3;
         return true;
     }
-    if (mistake_hex(r, tree, text) || hint_color_name(r, tree, text))
+    if (common_error_hex(r, tree, text) || hint_color_name(r, tree, text))
         return false;
     const char *near = diag_suggest(r->session, text, color_name, NULL, color_count);
     diag_add(r->session, tree->span, DIAG_unknown_color, text, near);

@@ -1,8 +1,8 @@
 /* The top level of a document: its materials, definitions and includes. */
-#include "compiler/hints/doubt.h"
+#include "compiler/hints/lint.h"
 #include "compiler/resolve/include.h"
 #include "compiler/hints/hint.h"
-#include "compiler/hints/mistake.h"
+#include "compiler/hints/common_error.h"
 #include "compiler/resolve/resolve_definition.h"
 #include "compiler/resolve/scene_check.h"
 #include "compiler/base/text.h"
@@ -141,7 +141,7 @@ static bool check_top(Resolver *r, const Tree *document, bool many)
             !strcmp(member->key, "materials"))
             continue;
         bool both = !strcmp(member->key, "material") || !strcmp(member->key, "ref");
-        const char *near = mistake_foreign(r->session, FOREIGN_TOP, KIND_COUNT, member->key);
+        const char *near = common_error_foreign(r->session, FOREIGN_TOP, KIND_COUNT, member->key);
         if (!near)
             near = diag_suggest(r->session, member->key, top_key, NULL,
                                 OWN_KEYS + scene_kind_table[SCENE_Scene].count);
@@ -201,11 +201,11 @@ static void *say_no_material(Session *session, const Tree *document)
 {
     static const char *const keys[] = {"material", "materials", "ref"};
     for (size_t i = 0; i < sizeof keys / sizeof *keys; i++) {
-        const Member *other = mistake_case(document, keys[i]);
+        const Member *other = common_error_case(document, keys[i]);
         if (other)
             return diag_add(session, other->span, DIAG_key_case, other->key, keys[i]);
     }
-    if (mistake_keys(session, document) || hint_document(session, document))
+    if (common_error_keys(session, document) || hint_document(session, document))
         return NULL;
     return diag_add(session, document->span, DIAG_no_material, hint_no_material(session, document));
 }
@@ -250,7 +250,7 @@ static bool resolve_one(Resolver *r, Tree *document, NamedMaterial *material)
 Graph *resolve(Session *session, Tree *document)
 {
     Resolver r = {.session = session};
-    if (document->kind == TREE_scalar && mistake_key(session, document->span, document->text))
+    if (document->kind == TREE_scalar && common_error_key(session, document->span, document->text))
         return NULL;
     if (document->kind != TREE_object)
         return lists_material(document) && hint_listed(session, document)
@@ -299,7 +299,7 @@ Graph *resolve(Session *session, Tree *document)
         return NULL;
     graph->models = ARENA_ARRAY(session->arena, unsigned, graph->node_count);
     graph_find_models(graph, r.nodes, r.named_count);
-    doubt_graph(session, graph, r.nodes, r.named_count);
+    lint_graph(session, graph, r.nodes, r.named_count);
     diag_sort(&session->diags); /* lints are found in node order but printed in line order */
     return session->diags.errors ? NULL : graph;
 }

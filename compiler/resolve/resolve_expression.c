@@ -3,7 +3,7 @@
 #include "compiler/formula/formula.h"
 #include "compiler/base/text.h"
 #include "compiler/hints/hint.h"
-#include "compiler/hints/mistake.h"
+#include "compiler/hints/common_error.h"
 #include "compiler/resolve/resolve_definition.h"
 #include <float.h>
 #include <math.h>

@@ -1,6 +1,6 @@
 /* Lists that hold maps: the items of a Blend, and plain lists of maps. A list is resolved once,
  * even if it is shared by aliases. */
-#include "compiler/hints/mistake.h"
+#include "compiler/hints/common_error.h"
 #include "compiler/resolve/resolve.h"
 #include <string.h>
 
@@ -28,7 +28,7 @@ static bool resolve_item(Resolver *r, Tree *tree, Item *item)
         } else if (!strcmp(member->key, "input")) {
             item->input = resolve_map(r, member->value, &fault);
         } else {
-            if (!mistake_key(r->session, member->span, member->key))
+            if (!common_error_key(r->session, member->span, member->key))
                 diag_add(r->session, member->span, DIAG_item_keys, member->key,
                          diag_suggest(r->session, member->key, item_key, NULL, 2));
             fine = false;

@@ -1,5 +1,5 @@
 /* Transforms of space: given by components, or as a matrix. */
-#include "compiler/hints/doubt.h"
+#include "compiler/hints/lint.h"
 #include "compiler/resolve/resolve.h"
 #include <string.h>
 
@@ -101,7 +101,7 @@ static bool resolve_component(Resolver *r, const Tree *tree, const Member *membe
         const bool fine =
             resolve_number(r, member->key, member->value, lanes_of(key, member->value), parts[key]);
         if (fine && key == ROTATION)
-            doubt_unit(r->session, member->key, &unit_table[UNIT_radians], parts[key]);
+            lint_unit(r->session, member->key, &unit_table[UNIT_radians], parts[key]);
         return fine;
     }
     const bool fine = resolve_matrix(r, member->value, transform);

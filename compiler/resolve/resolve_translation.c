@@ -7,7 +7,7 @@
  *     becomes    roughness: { map: Expression, with: { both parameters },
  *                is: roughnessFactor * metallicRoughnessTexture.g }, and so on */
 #include "compiler/formula/formula.h"
-#include "compiler/hints/doubt.h"
+#include "compiler/hints/lint.h"
 #include "compiler/resolve/resolve.h"
 #include "grammar/translation_tables.h"
 #include <float.h>
@@ -279,7 +279,7 @@ const Node *resolve_translate(Resolver *r, Node of)
             *value = as_number(*value);
         fine &= value->kind != VALUE_none || !param_table[rule->to].lanes;
     }
-    doubt_units(r->session, &of); /* checked in the author's units */
+    lint_units(r->session, &of); /* checked in the author's units */
     say_losses(&s);
     of.written = of.kind;
     of.kind = KIND_Principled;

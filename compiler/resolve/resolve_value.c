@@ -1,7 +1,7 @@
 /* Numbers, lists of numbers, colors and params, as values of parameters. */
 #include "compiler/base/text.h"
 #include "compiler/hints/hint.h"
-#include "compiler/hints/mistake.h"
+#include "compiler/hints/common_error.h"
 #include "compiler/graph/reserved.h"
 #include "compiler/resolve/resolve.h"
 #include <float.h>
@@ -31,7 +31,8 @@ static bool say_single(Resolver *r, const char *what, const Tree *list, LaneCoun
 static bool number_list(Resolver *r, const char *what, const Tree *tree, LaneCount lanes,
                         Value *value)
 {
-    if (tree->count == 1 && (mistake_list(r, tree->items[0]) || say_single(r, what, tree, lanes)))
+    if (tree->count == 1 &&
+        (common_error_list(r, tree->items[0]) || say_single(r, what, tree, lanes)))
         return false;
     if (tree->count < 2 || (int)tree->count < lanes.least || (int)tree->count > lanes.most) {
         Text wanted = text_new(r->session->arena);
@@ -157,10 +158,10 @@ bool resolve_number(Resolver *r, const char *what, Tree *tree, LaneCount lanes, 
         return resolve_fits_float(r, what, tree, number);
     }
     if (lanes.most >= 3 && tree->kind == TREE_scalar && !tree->plain && strlen(tree->text) >= 6 &&
-        mistake_hex(r, tree, tree->text))
+        common_error_hex(r, tree, tree->text))
         return false;
-    if (hint_value(r, what, tree, lanes) || mistake_number(r, tree) || mistake_list(r, tree) ||
-        mistake_formula(r, tree))
+    if (hint_value(r, what, tree, lanes) || common_error_number(r, tree) ||
+        common_error_list(r, tree) || common_error_formula(r, tree))
         return false;
     if (tree->kind == TREE_scalar && tree->plain && tree->count &&
         strchr("+-.0123456789", tree->text[0])) {

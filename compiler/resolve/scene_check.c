@@ -3,7 +3,7 @@
 #include "compiler/base/hash.h"
 #include "compiler/base/hash_index.h"
 #include "compiler/base/text.h"
-#include "compiler/hints/mistake.h"
+#include "compiler/hints/common_error.h"
 #include <string.h>
 
 typedef struct {
@@ -46,7 +46,7 @@ static const char *written_kind(Session *session, const Tree *tree, SceneSort so
 static void say_missing_kind(Session *session, const Tree *tree, SceneSort sort)
 {
     const char *name = scene_sort_table[sort].name;
-    const Member *other = tree->kind == TREE_object ? mistake_case(tree, name) : NULL;
+    const Member *other = tree->kind == TREE_object ? common_error_case(tree, name) : NULL;
     if (other)
         diag_add(session, other->span, DIAG_key_case, other->key, name);
     else
@@ -72,7 +72,8 @@ int scene_check_kind(Session *session, const Tree *tree, SceneSort sort)
     if (kind >= 0)
         return kind;
     const NameChoice names = {kind_name, &sort, SCENE_KIND_COUNT};
-    const char *foreign = mistake_foreign(session, FOREIGN_SCENE, KIND_COUNT, member->value->text);
+    const char *foreign =
+        common_error_foreign(session, FOREIGN_SCENE, KIND_COUNT, member->value->text);
     diag_add(session, member->value->span, DIAG_unknown_scene_kind, name, member->value->text,
              foreign ? foreign
                      : diag_suggest_or_list(session, member->value->text, &names, "; there are "));
@@ -85,7 +86,7 @@ void scene_check_unknown(Session *session, SceneKind kind, const Member *member)
     const bool scene = kind == SCENE_Scene;
     const NameChoice names = {param_name, row, row->count};
     const char *near =
-        mistake_foreign(session, scene ? FOREIGN_TOP : FOREIGN_PLACE, KIND_COUNT, member->key);
+        common_error_foreign(session, scene ? FOREIGN_TOP : FOREIGN_PLACE, KIND_COUNT, member->key);
     if (!near)
         near = diag_suggest_or_list(session, member->key, &names, scene ? NULL : "; it has ");
     if (scene)

@@ -12,9 +12,9 @@ fast="$matc --no-validate"
 plain() { ! LC_ALL=C grep -q "$(printf '[\001-\010\013-\037\177]\|\302[\200-\237]')" "$1"; }
 
 # A string of JSON is json_write.h's, wherever it is written: no other file puts quotes around a %s, or makes an escape. The schemas'
-# frames have names of rows in them, which are identifiers; ir_print.c writes DOT, plot.c SVG, mistake.c, hint_value.c, hint_assigned.c and describe_explain.c quote YAML, and the reader takes escapes apart.
+# frames have names of rows in them, which are identifiers; ir_print.c writes DOT, plot.c SVG, common_error.c, hint_value.c, hint_assigned.c and describe_explain.c quote YAML, and the reader takes escapes apart.
 check "nothing writes strings of JSON but json_write.c" test -z "$(find compiler runtime examples -path compiler/gen -prune -o -name '*.[ch]' -print |
-    grep -v '/json_write.c$\|/describe_schema.c$\|/describe_scene.c$\|/describe_value.c$\|/describe_files.c$\|/ir_print.c$\|/plot.c$\|/mistake.c$\|/hint_value.c$\|/hint_assigned.c$\|/describe_explain.c$' | xargs grep -n '\\"%[-.*0-9]*s\|%[-.*0-9]*s\\"\|\\\\u%0' /dev/null)"
+    grep -v '/json_write.c$\|/describe_schema.c$\|/describe_scene.c$\|/describe_value.c$\|/describe_files.c$\|/ir_print.c$\|/plot.c$\|/common_error.c$\|/hint_value.c$\|/hint_assigned.c$\|/describe_explain.c$' | xargs grep -n '\\"%[-.*0-9]*s\|%[-.*0-9]*s\\"\|\\\\u%0' /dev/null)"
 
 # -- JSON
 

@@ -1,5 +1,5 @@
 /* Hints for common errors of authors who know other formats. */
-#include "compiler/hints/mistake.h"
+#include "compiler/hints/common_error.h"
 #include "compiler/base/text.h"
 #include "compiler/hints/hint.h"
 #include <math.h>
@@ -39,7 +39,7 @@ static bool say_unit(Resolver *r, const Tree *tree)
     return true;
 }
 
-bool mistake_number(Resolver *r, const Tree *tree)
+bool common_error_number(Resolver *r, const Tree *tree)
 {
     double number;
     if (tree->kind != TREE_scalar || !tree->count)
@@ -66,7 +66,7 @@ static bool is_key(const char *word)
     return false;
 }
 
-bool mistake_key(Session *session, Span span, const char *text)
+bool common_error_key(Session *session, Span span, const char *text)
 {
     const Source *source = &session->sources[span.file];
     const size_t size = strcspn(text, " :");
@@ -85,15 +85,15 @@ bool mistake_key(Session *session, Span span, const char *text)
     return true;
 }
 
-bool mistake_keys(Session *session, const Tree *object)
+bool common_error_keys(Session *session, const Tree *object)
 {
     for (uint32_t i = 0; i < object->count; i++)
-        if (mistake_key(session, object->members[i].span, object->members[i].key))
+        if (common_error_key(session, object->members[i].span, object->members[i].key))
             return true;
     return false;
 }
 
-bool mistake_hex(Resolver *r, const Tree *tree, const char *text)
+bool common_error_hex(Resolver *r, const Tree *tree, const char *text)
 {
     const size_t size = strlen(text);
     if (strspn(text, "0123456789abcdefABCDEF") != size || (size != 3 && size != 6 && size != 8))
@@ -133,11 +133,11 @@ static bool is_color(const char *name)
     return false;
 }
 
-bool mistake_map(Resolver *r, const Tree *tree)
+bool common_error_map(Resolver *r, const Tree *tree)
 {
     if (tree->kind != TREE_scalar || !text_is_letter(tree->text[0]) || is_color(tree->text))
         return false;
-    if (mistake_key(r->session, tree->span, tree->text))
+    if (common_error_key(r->session, tree->span, tree->text))
         return true;
     const char *map = map_name(tree->text);
     if (is_def(r, tree->text))
@@ -151,7 +151,7 @@ bool mistake_map(Resolver *r, const Tree *tree)
     return true;
 }
 
-const Member *mistake_case(const Tree *object, const char *key)
+const Member *common_error_case(const Tree *object, const char *key)
 {
     for (uint32_t i = 0; i < object->count; i++)
         if (text_same(object->members[i].key, key))
@@ -159,7 +159,7 @@ const Member *mistake_case(const Tree *object, const char *key)
     return NULL;
 }
 
-const char *mistake_foreign(Session *session, ForeignGroup group, Kind kind, const char *name)
+const char *common_error_foreign(Session *session, ForeignGroup group, Kind kind, const char *name)
 {
     const char *here = diag_full(session) ? NULL : foreign_name(group, kind, name);
     if (!here)

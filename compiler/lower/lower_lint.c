@@ -67,7 +67,7 @@ static bool is_nought(const Ranges *ranges, const Ir *ir, Ref slope)
     return x.low == 0 && x.high == 0;
 }
 
-void lower_doubt(Lower *l)
+void lower_lint(Lower *l)
 {
     Arena arena = {0};
     Ref *roots = NULL;

@@ -6,7 +6,7 @@
  *     Phong queries Granite for a color, Granite queries UVTransform for x, y and z, which
  *         UVTransform passes on: its u and v have no effect. */
 #include "compiler/formula/formula.h"
-#include "compiler/hints/doubt.h"
+#include "compiler/hints/lint.h"
 #include "grammar/lobe_table.h"
 #include "compiler/base/text.h"
 #include <math.h>
@@ -44,7 +44,7 @@ static void put_meant(Text *out, const UnitRow *unit, double number)
     text_plain(out, round(meant * 1e4) / 1e4);
 }
 
-void doubt_unit(Session *session, const char *name, const UnitRow *unit, const Value *value)
+void lint_unit(Session *session, const char *name, const UnitRow *unit, const Value *value)
 {
     double number;
     if (!unit || unit == &unit_table[UNIT_gloss] || !lane_of(value, &number) ||
@@ -62,7 +62,7 @@ void doubt_unit(Session *session, const char *name, const UnitRow *unit, const V
     diag_add(session, value->span, DIAG_unusual_number, name, is.at, low.at, high.at, meant.at);
 }
 
-void doubt_units(Session *session, const Node *node)
+void lint_units(Session *session, const Node *node)
 {
     const KindRow *row = &kind_table[node->kind];
     /* Values translated from another model were already linted as the author wrote them. */
@@ -70,7 +70,7 @@ void doubt_units(Session *session, const Node *node)
     for (int i = 0; i < row->count && !made; i++) {
         const UnitRow *unit = unit_of(row->first + i);
         if (unit && node->params[i].given)
-            doubt_unit(session, node_written_param(node, i), unit, &node->params[i]);
+            lint_unit(session, node_written_param(node, i), unit, &node->params[i]);
     }
 }
 
@@ -83,7 +83,7 @@ static bool is_plain(const Node *map)
            section == SECTION_dimensions;
 }
 
-static void doubt_normals(Session *session, const Node *material)
+static void lint_normals(Session *session, const Node *material)
 {
     static const char *const names[] = {"input", "coatNormal", "tangent", "coatTangent"};
     const KindRow *row = &kind_table[material->kind];
@@ -126,7 +126,7 @@ static const char *parted(const Node *node, int i)
     return there && value_is_zero(node_param(node, P_Principled_thinWalled)) ? what : NULL;
 }
 
-static void doubt_lost(Session *session, const Node *material)
+static void lint_lost(Session *session, const Node *material)
 {
     for (int i = 0; i < kind_table[material->kind].count; i++) {
         const char *what = parted(material, i);
@@ -163,7 +163,7 @@ typedef struct {
     const Node **reader;    /* per node index: one of the nodes that query it */
     const unsigned *models; /* the graph's models */
     bool saying;            /* all queries are known */
-} Doubts;
+} LintFindings;
 
 /* Returns the components of a number, or of a param's default. */
 static int lanes_of(const Value *value, const double **lanes)
@@ -177,7 +177,7 @@ static int lanes_of(const Value *value, const double **lanes)
 static bool is_byte(double lane) { return lane >= 0 && lane <= BYTE && lane == trunc(lane); }
 
 /* Lints a color's three components. */
-static void doubt_bytes(const Doubts *d, Span span, const double *lanes)
+static void lint_bytes(const LintFindings *d, Span span, const double *lanes)
 {
     const double most = fmax(lanes[0], fmax(lanes[1], lanes[2]));
     if (most < LOOKS_LIKE_BYTE || !is_byte(lanes[0]) || !is_byte(lanes[1]) || !is_byte(lanes[2]))
@@ -189,7 +189,7 @@ static void doubt_bytes(const Doubts *d, Span span, const double *lanes)
 
 /* Lints a single number as a color: `diffuse: 128` looks like a gray in bytes, unless it may be
  * a light intensity. `diffuse: 112233` has the digits of a hex color. */
-static void doubt_single(const Doubts *d, const Value *value, double lane, bool light)
+static void lint_single(const LintFindings *d, const Value *value, double lane, bool light)
 {
     const char *text = d->session->sources[value->span.file].text + value->span.start;
     const size_t size = value->span.end - value->span.start;
@@ -199,12 +199,12 @@ static void doubt_single(const Doubts *d, const Value *value, double lane, bool 
         text_format(&hex, "#%.*s", (int)size, text);
         diag_add(d->session, value->span, DIAG_byte_color, hex.at);
     } else if (!light) {
-        doubt_bytes(d, value->span, (const double[3]){lane, lane, lane});
+        lint_bytes(d, value->span, (const double[3]){lane, lane, lane});
     }
 }
 
 /* Lints the parameters r, g and b of a color or a material. */
-static void doubt_components(const Doubts *d, const Node *node)
+static void lint_components(const LintFindings *d, const Node *node)
 {
     double rgb[3];
     int found = 0;
@@ -221,19 +221,19 @@ static void doubt_components(const Doubts *d, const Node *node)
             span = node->params[i].span;
     }
     if (found == 3)
-        doubt_bytes(d, span, rgb);
+        lint_bytes(d, span, rgb);
 }
 
-static void doubt_constant(const Doubts *d, const Node *node, unsigned asked)
+static void lint_constant(const LintFindings *d, const Node *node, unsigned asked)
 {
     const double *lanes = NULL;
     const int count = lanes_of(&node->params[0], &lanes);
     if (asked & ASKED_color && node->kind == KIND_Constant && count >= 3)
-        doubt_bytes(d, node->params[0].span, lanes);
+        lint_bytes(d, node->params[0].span, lanes);
     else if (asked & ASKED_color && node->kind == KIND_Constant && count == 1)
-        doubt_single(d, &node->params[0], *lanes, asked & ASKED_light);
+        lint_single(d, &node->params[0], *lanes, asked & ASKED_light);
     else if (asked & ASKED_color)
-        doubt_components(d, node);
+        lint_components(d, node);
     if (asked & ASKED_shininess && count && *lanes > 1) {
         Text is = text_new(d->session->arena), shininess = text_new(d->session->arena);
         text_plain(&is, *lanes);
@@ -242,12 +242,12 @@ static void doubt_constant(const Doubts *d, const Node *node, unsigned asked)
     }
 }
 
-static void ask(Doubts *d, const Node *reader, const Node *node, unsigned asked)
+static void ask(LintFindings *d, const Node *reader, const Node *node, unsigned asked)
 {
     if (!node || !asked)
         return;
     if (d->saying && section_of(node->kind) == SECTION_constant)
-        doubt_constant(d, node, asked);
+        lint_constant(d, node, asked);
     d->asked[node->index] |= asked;
     d->reader[node->index] = reader;
 }
@@ -326,7 +326,7 @@ static unsigned asked_of_param(const Node *node, const ParamRow *param, unsigned
     return strcmp(param->name, "emissive") ? ASKED_color : ASKED_color | ASKED_light;
 }
 
-static void ask_below(Doubts *d, const Node *node, unsigned asked)
+static void ask_below(LintFindings *d, const Node *node, unsigned asked)
 {
     const KindRow *row = &kind_table[node->kind];
     const bool material = section_of(node->kind) == SECTION_material;
@@ -357,7 +357,7 @@ static const char *mover(unsigned moves)
 }
 
 /* Lints a transform map or a normal modifier whose effect is not queried. */
-static void doubt_use(const Doubts *d, const Node *node)
+static void lint_use(const LintFindings *d, const Node *node)
 {
     const unsigned asked = d->asked[node->index], moves = kind_table[node->kind].moves;
     const Value *input = &node->params[0];
@@ -375,7 +375,7 @@ static void doubt_use(const Doubts *d, const Node *node)
 }
 
 /* Lints a queried map without its image, formula or items. */
-static void doubt_lack(const Doubts *d, const Node *node)
+static void lint_lack(const LintFindings *d, const Node *node)
 {
     const KindRow *row = &kind_table[node->kind];
     for (int i = 0; i < row->count && d->asked[node->index]; i++) {
@@ -418,7 +418,7 @@ static const Value *first_map(const Displacement *d)
 }
 
 /* Lints parameters that a volume overrides, and parameters that only volumes use. */
-static void doubt_volume(const Doubts *d, const Node *node)
+static void lint_volume(const LintFindings *d, const Node *node)
 {
     const Displacement has = graph_displacement(node);
     if (has.volume->kind != VALUE_node && has.threshold->kind != VALUE_none)
@@ -432,7 +432,7 @@ static void doubt_volume(const Doubts *d, const Node *node)
 }
 
 /* A surface has a single shape, that of its front: lints a different displacement on the back. */
-static void doubt_back(const Doubts *d, const Node *node)
+static void lint_back(const LintFindings *d, const Node *node)
 {
     const Value *back = node_param(node, P_SideSwitch_backShader);
     const Node *shape = displaced_front(node),
@@ -448,7 +448,7 @@ static void doubt_back(const Doubts *d, const Node *node)
 }
 
 /* Lints parts of a Phong that are lost when a Layer converts it to a Principled. */
-static void doubt_layered(const Doubts *d, const Node *base)
+static void lint_layered(const LintFindings *d, const Node *base)
 {
     static const int lost[] = {P_Phong_ambient, P_Phong_diffuseTransparency};
     for (size_t i = 0; base->kind == KIND_Phong && i < sizeof lost / sizeof *lost; i++) {
@@ -459,7 +459,7 @@ static void doubt_layered(const Doubts *d, const Node *base)
 }
 
 /* Lints a fuzz roughness below the minimum of the fuzz lobe. */
-static void doubt_fuzz(const Doubts *d, const Node *node)
+static void lint_fuzz(const LintFindings *d, const Node *node)
 {
     const Value *rough =
         node->kind == KIND_Principled ? node_param(node, P_Principled_fuzzRoughness) : NULL;
@@ -475,7 +475,7 @@ static void doubt_fuzz(const Doubts *d, const Node *node)
 
 /* Lints a Mix of materials of which one displaces the surface, and materials of different models
  * whose slots have different meanings. */
-static void doubt_mixed(const Doubts *d, const Node *node)
+static void lint_mixed(const LintFindings *d, const Node *node)
 {
     const KindRow *row = &kind_table[node->kind];
     const char *name = node->kind == KIND_MixMaterial ? "Mix" : node_written_name(node);
@@ -488,7 +488,7 @@ static void doubt_mixed(const Doubts *d, const Node *node)
         diag_add(d->session, node->span, DIAG_two_coats);
     const Value *base = node->kind == KIND_Layer ? node_param(node, P_Layer_base) : NULL;
     if (base && base->kind == VALUE_node)
-        doubt_layered(d, base->node);
+        lint_layered(d, base->node);
     if (node->kind != KIND_AlgorithmSwitch && models >> MODEL_Phong & 1 &&
         models >> MODEL_Principled & 1)
         diag_add(d->session, node->span, DIAG_mixed_models, name);
@@ -502,7 +502,7 @@ static void doubt_mixed(const Doubts *d, const Node *node)
 }
 
 /* Lints a formula in a displacement, where some quantities have no value. */
-static void doubt_shape(const Doubts *d, const Node *node)
+static void lint_shape(const LintFindings *d, const Node *node)
 {
     const Value *is = node_param(node, P_Expression_is);
     if (is->kind != VALUE_formula)
@@ -515,26 +515,27 @@ static void doubt_shape(const Doubts *d, const Node *node)
 }
 
 /* Reports lints of a node; called in document order, inputs before their users. */
-static void say(Doubts *d, const Node *node)
+static void say(LintFindings *d, const Node *node)
 {
     const Section section = section_of(node->kind);
     if (section == SECTION_material)
-        doubt_components(d, node), doubt_mixed(d, node), doubt_lost(d->session, node),
-            doubt_fuzz(d, node), doubt_volume(d, node), doubt_normals(d->session, node);
+        lint_components(d, node), lint_mixed(d, node), lint_lost(d->session, node),
+            lint_fuzz(d, node), lint_volume(d, node), lint_normals(d->session, node);
     if (node->kind == KIND_SideSwitch)
-        doubt_back(d, node);
+        lint_back(d, node);
     if (section == SECTION_transform || section == SECTION_normal)
-        doubt_use(d, node);
+        lint_use(d, node);
     if (node->kind == KIND_Expression && d->asked[node->index] & ASKED_shape)
-        doubt_shape(d, node);
-    doubt_units(d->session, node);
-    doubt_lack(d, node);
+        lint_shape(d, node);
+    lint_units(d->session, node);
+    lint_lack(d, node);
 }
 
-void doubt_graph(Session *session, const Graph *graph, const Node *const *nodes, size_t count)
+void lint_graph(Session *session, const Graph *graph, const Node *const *nodes, size_t count)
 {
-    Doubts d = {session, ARENA_ARRAY(session->arena, unsigned, graph->node_count),
-                ARENA_ARRAY(session->arena, const Node *, graph->node_count), graph->models, false};
+    LintFindings d = {session, ARENA_ARRAY(session->arena, unsigned, graph->node_count),
+                      ARENA_ARRAY(session->arena, const Node *, graph->node_count), graph->models,
+                      false};
     for (size_t i = count; i--;)
         ask_below(&d, nodes[i], d.asked[nodes[i]->index]);
     d.saying = true;

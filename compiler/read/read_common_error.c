@@ -3,7 +3,7 @@
  *     map: Checker          libyaml reads "Checker color1" as a scalar of two lines, and
  *       color1: red         reports the ':' after it. The actual error is the deeper
  *                           indentation of color1. */
-#include "compiler/read/read_mistake.h"
+#include "compiler/read/read_common_error.h"
 #include <string.h>
 
 typedef struct {
@@ -195,7 +195,7 @@ static bool say_hash(Session *session, const Source *source, const YamlFault *fa
     return true;
 }
 
-bool read_mistake(Session *session, const YamlFault *fault)
+bool read_common_error(Session *session, const YamlFault *fault)
 {
     const Source *source = &session->sources[fault->file];
     const Line line = line_at(source, fault->at), context = line_at(source, fault->context);

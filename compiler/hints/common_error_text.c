@@ -3,7 +3,7 @@
 #include "compiler/base/text.h"
 #include "compiler/formula/formula.h"
 #include "compiler/hints/hint.h"
-#include "compiler/hints/mistake.h"
+#include "compiler/hints/common_error.h"
 #include <string.h>
 
 enum { MOST_SHOWN = 80 }; /* max bytes of a text that a hint repeats */
@@ -28,7 +28,7 @@ static const char *list_of(const Session *session, const char *text)
     return count > 1 ? list.at : NULL;
 }
 
-bool mistake_list(Resolver *r, const Tree *tree)
+bool common_error_list(Resolver *r, const Tree *tree)
 {
     if (tree->kind != TREE_scalar || !tree->plain || tree->count > MOST_SHOWN)
         return false;
@@ -67,7 +67,7 @@ static bool looks_like_formula(const char *text, size_t size)
     return starts && (strpbrk(text, "*/^(?<>") || strstr(text, " - ") || strstr(text, " + "));
 }
 
-bool mistake_formula(Resolver *r, const Tree *tree)
+bool common_error_formula(Resolver *r, const Tree *tree)
 {
     if (tree->kind != TREE_scalar || !tree->count || strlen(tree->text) != tree->count)
         return false;
@@ -93,7 +93,7 @@ static const Member *parameter_called(const Resolver *r, const char *name)
     return params && params->value->kind == TREE_object ? tree_find(params->value, name) : NULL;
 }
 
-bool mistake_param(Resolver *r, const Tree *tree)
+bool common_error_param(Resolver *r, const Tree *tree)
 {
     if (tree->kind != TREE_scalar)
         return false;
