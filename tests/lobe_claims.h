@@ -83,21 +83,22 @@ static inline void lobe_mean(double alpha, double found[2])
 }
 
 /* Three lanes of a pixel are by how much both ways differ, of their sum. */
-static inline void lobe_changes_places(float (*said)[4], int count)
+static inline void lobe_changes_places(float (*reported)[4], int count)
 {
     double worst = 0;
     for (int i = 0; i < count; i++)
-        worst = fmax(worst, fmax((double)said[i][0], fmax((double)said[i][1], (double)said[i][2])));
+        worst = fmax(worst, fmax((double)reported[i][0],
+                                 fmax((double)reported[i][1], (double)reported[i][2])));
     print_message("changed places: within %.1e\n", worst);
     assert_true(worst < 2e-5);
 }
 
 /* Lane 0 is what comes of light 1 from all around. */
-static inline void lobe_is_white_around(float (*said)[4], int count)
+static inline void lobe_is_white_around(float (*reported)[4], int count)
 {
     double worst = 0;
     for (int i = 0; i < count; i++)
-        worst = fmax(worst, fabs((double)said[i][0] - 1));
+        worst = fmax(worst, fabs((double)reported[i][0] - 1));
     print_message("from all around: within %.4f\n", worst);
     assert_true(worst < .01);
 }

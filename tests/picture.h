@@ -83,10 +83,10 @@ static inline void picture_refused(PictureFile *files, const char *text, bool pi
                                    const char *why)
 {
     MatcDocument *document = picture_read(files, text, pixels);
-    const char *said = matc_diagnostics(document, MATC_TEXT);
-    if (document->graph || matc_error_count(document) != 1 || !strstr(said, why) ||
-        !strstr(said, text == picture_alone ? "a.yaml:2:34" : "a.yaml:"))
-        fail_msg("'%s' is wanted, not '%s'", why, said);
+    const char *reported = matc_diagnostics(document, MATC_TEXT);
+    if (document->graph || matc_error_count(document) != 1 || !strstr(reported, why) ||
+        !strstr(reported, text == picture_alone ? "a.yaml:2:34" : "a.yaml:"))
+        fail_msg("'%s' is wanted, not '%s'", why, reported);
     matc_document_free(document);
 }
 #endif

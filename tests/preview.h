@@ -88,15 +88,17 @@ static inline void draw_pixels(MatcDocument *document, const MaterialPictureOpti
                                unsigned char *rgb)
 {
     char error[512] = "";
-    MaterialSaid said = {0};
+    MaterialReport reported = {0};
     GlContext *gl = gl_open(GL_KIND_osmesa, true, error, sizeof error);
     assert_non_null(gl);
     assert_int_equal(matc_material_count(document), 1);
     MaterialPictures *pictures = material_pictures_open(gl, options);
-    const bool shown = pictures && material_pictures_show(pictures, document, 0, &said);
-    if (!shown || *said.diagnostics || !scene_pictures_pixels(material_pictures_of(pictures), rgb))
-        fail_msg("%s%s%s", said.diagnostics ? said.diagnostics : "", said.error, gl->error);
-    free(said.diagnostics);
+    const bool shown = pictures && material_pictures_show(pictures, document, 0, &reported);
+    if (!shown || *reported.diagnostics ||
+        !scene_pictures_pixels(material_pictures_of(pictures), rgb))
+        fail_msg("%s%s%s", reported.diagnostics ? reported.diagnostics : "", reported.error,
+                 gl->error);
+    free(reported.diagnostics);
     material_pictures_close(pictures);
     gl_close(gl);
 }

@@ -215,14 +215,14 @@ static void run_layout_error(Run *run, const char *name)
 static void check_silence(Run *run, MatcDocument *document, const char *name)
 {
     char path[LONGEST_PATH];
-    const char *said = matc_diagnostics(document, MATC_TEXT);
+    const char *reported = matc_diagnostics(document, MATC_TEXT);
     golden_path(path, name, NULL, ".err");
-    if (!*said && access(path, F_OK))
+    if (!*reported && access(path, F_OK))
         return;
     if (strstr(name, "/channels/") || strstr(name, "/conversions/")) {
-        compare(run, path, said);
+        compare(run, path, reported);
     } else {
-        printf("%s", said);
+        printf("%s", reported);
         run->failed++;
     }
 }

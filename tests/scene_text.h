@@ -36,14 +36,15 @@ static inline Scene *read_heavy(const char *text, MatcDocument **document)
 {
     Scene *scene = read_text(text, document);
     assert_non_null(scene);
-    const char *said = strstr(matc_diagnostics(*document, MATC_TEXT), "warning: ");
+    const char *reported = strstr(matc_diagnostics(*document, MATC_TEXT), "warning: ");
     assert_int_equal(matc_error_count(*document), 0);
-    assert_true(said && strstr(said, "[-Wscene_heavy]") && !strstr(said + 1, "warning: "));
+    assert_true(reported && strstr(reported, "[-Wscene_heavy]") &&
+                !strstr(reported + 1, "warning: "));
     return scene;
 }
 
 /* That a text is no scene, and what is said first; NULL: whatever it is. */
-static inline void assert_fault(const char *text, const char *said)
+static inline void assert_fault(const char *text, const char *reported)
 {
     MatcDocument *document;
     char line[512];
@@ -51,8 +52,8 @@ static inline void assert_fault(const char *text, const char *said)
     const char *all = matc_diagnostics(document, MATC_TEXT);
     assert_int_not_equal(matc_error_count(document), 0);
     snprintf(line, sizeof line, "%.*s", (int)strcspn(all, "\n"), all);
-    if (said)
-        assert_string_equal(line + strlen("scene.yaml:"), said);
+    if (reported)
+        assert_string_equal(line + strlen("scene.yaml:"), reported);
     matc_document_free(document);
 }
 

@@ -8,7 +8,7 @@
 static const double CLOSE = 1e-3; /* of published values */
 
 /* Values by the reference, with the diagnostics of reading; `at` is a point. */
-static inline char *values_at(const char *text, const char *at, char **said)
+static inline char *values_at(const char *text, const char *at, char **reported)
 {
     MatcOptions options = quick();
     options.pixels = true;
@@ -18,8 +18,8 @@ static inline char *values_at(const char *text, const char *at, char **said)
     if (!result)
         fprintf(stderr, "%s\n%s", text, matc_diagnostics(document, MATC_TEXT));
     assert_non_null(result);
-    if (said)
-        *said = strdup(matc_diagnostics(document, MATC_TEXT));
+    if (reported)
+        *reported = strdup(matc_diagnostics(document, MATC_TEXT));
     matc_document_free(document);
     return result;
 }

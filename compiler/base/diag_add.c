@@ -39,9 +39,9 @@ void *diag_add(Session *session, Span span, DiagKind kind, ...)
     va_end(args);
     /* Several slots can query one node and find one fault: report each fault only once. */
     for (size_t i = 0; i < session->diags.count; i++) {
-        const Diag *said = &session->diags.at[i];
-        if (said->kind == kind && !memcmp(&said->span, &span, sizeof span) &&
-            !strcmp(said->message, session->message.at))
+        const Diag *reported = &session->diags.at[i];
+        if (reported->kind == kind && !memcmp(&reported->span, &span, sizeof span) &&
+            !strcmp(reported->message, session->message.at))
             return NULL;
     }
     const char *message = arena_string(session->arena, session->message.at, session->message.size);

@@ -223,9 +223,9 @@ void text_rounded(Text *text, double value, int digits)
 const char *text_error(int error)
 {
     const Locale locale = enter();
-    const char *said = strerror(error);
+    const char *reported = strerror(error);
     leave(locale);
-    return said;
+    return reported;
 }
 
 bool text_same_start(const char *a, const char *b, size_t size)

@@ -50,7 +50,7 @@ Severity warnings_severity(const char *settings, DiagKind kind)
 {
     const DiagRow *row = &diag_table[kind];
     const bool advice = row->severity == SEVERITY_advice;
-    bool said = !advice, error = false;
+    bool reported = !advice, error = false;
     if (!diag_is_named(kind))
         return row->severity;
     for (size_t size; settings && *settings; settings += size + (settings[size] == ',')) {
@@ -61,12 +61,12 @@ Severity warnings_severity(const char *settings, DiagKind kind)
         if (setting.error)
             error = !setting.no;
         else
-            said = !setting.no;
+            reported = !setting.no;
     }
-    return !said    ? SEVERITY_none
-           : advice ? SEVERITY_note
-           : error  ? SEVERITY_error
-                    : SEVERITY_warning;
+    return !reported ? SEVERITY_none
+           : advice  ? SEVERITY_note
+           : error   ? SEVERITY_error
+                     : SEVERITY_warning;
 }
 
 const char *warnings_name(const void *user, int i)

@@ -61,7 +61,7 @@ typedef struct {
 } FormulaAttribute;
 
 /* Result of a look-up of a name: the index of an input, or one of these. */
-enum { FORMULA_UNKNOWN = -1, FORMULA_SAID = -2 };
+enum { FORMULA_UNKNOWN = -1, FORMULA_REPORTED = -2 };
 typedef struct {
     Session *session;
     const char *text; /* the formula, zero-terminated */
@@ -72,10 +72,10 @@ typedef struct {
     void (*color)(void *user, uint32_t start, uint32_t end, const double *lanes);
     /* Returns the source span of a byte range of the text. */
     Span (*span)(void *user, uint32_t start, uint32_t end);
-    /* Returns the index of an input by name, and its width; FORMULA_UNKNOWN; FORMULA_SAID: an
+    /* Returns the index of an input by name, and its width; FORMULA_UNKNOWN; FORMULA_REPORTED: an
      * input with a fault that was reported. */
     int (*input)(void *user, const char *name, const FormulaStep *step, int *width);
-    /* Returns the index of a mesh attribute; FORMULA_SAID: invalid, which was reported. */
+    /* Returns the index of a mesh attribute; FORMULA_REPORTED: invalid, which was reported. */
     int (*attribute)(void *user, const FormulaAttribute *given);
     /* Names of inputs, for suggestions. */
     NameChoice names;

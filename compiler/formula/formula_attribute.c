@@ -160,7 +160,7 @@ void formula_read_attribute(FormulaReader *r, Token name)
 {
     FormulaAttribute made = {0};
     const bool whole = read_whole(r, &made);
-    const int number = whole ? r->s->attribute(r->s->user, &made) : FORMULA_SAID;
+    const int number = whole ? r->s->attribute(r->s->user, &made) : FORMULA_REPORTED;
     if (!whole)
         skip(r);
     if (number < 0) {

@@ -109,11 +109,11 @@ bool formula_operand(FormulaReader *r)
         formula_next(r);
         return formula_is(r, ")"); /* a call without arguments is already complete */
     case TOKEN_text:
-        formula_say_other(r);
+        formula_report_other(r);
         formula_push_fault(r);
         break;
     case TOKEN_other:
-        formula_say_other(r);
+        formula_report_other(r);
         if (formula_is_large(r)) {
             formula_push_fault(r);
             break;

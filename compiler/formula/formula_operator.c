@@ -69,7 +69,7 @@ static void read_index(FormulaReader *r)
     formula_apply(r, step, 1);
 }
 
-void formula_say(FormulaReader *r, DiagKind kind)
+void formula_report(FormulaReader *r, DiagKind kind)
 {
     r->faults++;
     diag_add(r->session, formula_token_span(r), kind, formula_token_text(r->s, r->token));
@@ -89,13 +89,13 @@ static void close_open(FormulaReader *r, bool bracket)
 {
     formula_reduce_to(r, level_none, true);
     if (!r->wait_count) {
-        formula_say(r, DIAG_formula_closes);
+        formula_report(r, DIAG_formula_closes);
         return;
     }
     const FormulaWait wait = r->waits[r->wait_count - 1];
     const bool of_bracket = r->s->text[wait.start] == '[';
     if (of_bracket != bracket) {
-        formula_say(r, DIAG_formula_closes);
+        formula_report(r, DIAG_formula_closes);
         return;
     }
     r->wait_count--;
@@ -122,8 +122,8 @@ static bool read_comma(FormulaReader *r)
         formula_next(r);
         return true;
     }
-    if (!formula_say_decimal(r))
-        formula_say(r, DIAG_formula_comma);
+    if (!formula_report_decimal(r))
+        formula_report(r, DIAG_formula_comma);
     r->operand_count--; /* the operand after the comma replaces both */
     return false;
 }
@@ -174,7 +174,7 @@ static bool is_power_of_others(const FormulaReader *r)
 }
 
 /* Reports a token in the place of an operator. */
-static void say_no_operator(FormulaReader *r)
+static void report_no_operator(FormulaReader *r)
 {
     const char *word = r->token.kind == TOKEN_name ? formula_word(r, r->token) : "", *hint = "";
     const bool foreign = !strcmp(word, "and") || !strcmp(word, "or");
@@ -267,16 +267,16 @@ bool formula_operator(FormulaReader *r, bool *ended)
         return true;
     }
     if (formula_is(r, "=")) {
-        formula_say(r, DIAG_formula_assigns);
+        formula_report(r, DIAG_formula_assigns);
     } else if (is_power_of_others(r)) {
-        formula_say_other(r);
+        formula_report_other(r);
         formula_next(r);
     } else if (r->token.kind == TOKEN_other) {
-        formula_say_other(r);
+        formula_report_other(r);
         formula_pass_other(r);
         return true;
     } else {
-        say_no_operator(r);
+        report_no_operator(r);
     }
     r->operand_count--;
     return false;

@@ -108,7 +108,7 @@ void formula_pass_other(FormulaReader *r)
     r->token = formula_token(r->s, end);
 }
 
-void formula_say_other(FormulaReader *r)
+void formula_report_other(FormulaReader *r)
 {
     static const char *const meant[][2] = {
         {"×", "; * is the product"},
@@ -197,7 +197,7 @@ bool formula_read_suffix(FormulaReader *r)
     return true;
 }
 
-bool formula_say_decimal(FormulaReader *r)
+bool formula_report_decimal(FormulaReader *r)
 {
     const char *text = r->s->text, *comma = text + r->token.start;
     uint32_t start = r->token.start;

@@ -89,14 +89,14 @@ static void read_parts(FormulaReader *r)
     if (r->faults >= FORMULA_MOST_FAULTS)
         return;
     if (r->token.kind == TOKEN_end) {
-        formula_say(r, DIAG_formula_no_value);
+        formula_report(r, DIAG_formula_no_value);
         return;
     }
     r->f->result = read_value(r);
     if (formula_is(r, ";"))
         formula_next(r);
     if (r->faults < FORMULA_MOST_FAULTS && r->token.kind != TOKEN_end)
-        formula_say(r, DIAG_formula_ends);
+        formula_report(r, DIAG_formula_ends);
 }
 
 Formula *formula_read(const FormulaSource *source)

@@ -57,9 +57,9 @@ static inline const char *formula_word(const FormulaReader *r, Token token)
     return arena_string(r->session->arena, r->s->text + token.start, formula_token_size(token));
 }
 /* Reports a fault at the current token. */
-void formula_say(FormulaReader *r, DiagKind kind);
+void formula_report(FormulaReader *r, DiagKind kind);
 /* Reports a character that no formula has, or a number outside a float's range. formula_other.c */
-void formula_say_other(FormulaReader *r);
+void formula_report_other(FormulaReader *r);
 static inline bool formula_is_large(const FormulaReader *r)
 {
     const char c = r->s->text[r->token.start];
@@ -70,7 +70,7 @@ static inline bool formula_is_large(const FormulaReader *r)
 bool formula_read_suffix(FormulaReader *r);
 /* Reports and skips the next token if it is a decimal comma, as in 0,5. Returns false for
  * another comma. */
-bool formula_say_decimal(FormulaReader *r);
+bool formula_report_decimal(FormulaReader *r);
 /* Reports and skips `return` at the beginning of a part. */
 void formula_pass_return(FormulaReader *r);
 /* Skips an invalid token; a comment of another language is skipped to the end of its line. */

@@ -21,7 +21,7 @@ static const char *unit_of(const Session *session, const char *text, double *num
     return text_number(alone, digits, number) ? unit : NULL;
 }
 
-static bool say_unit(Resolver *r, const Tree *tree)
+static bool report_unit(Resolver *r, const Tree *tree)
 {
     double number;
     const char *unit = unit_of(r->session, tree->text, &number);
@@ -45,7 +45,7 @@ bool common_error_number(Resolver *r, const Tree *tree)
     if (tree->kind != TREE_scalar || !tree->count)
         return false;
     if (tree->plain)
-        return say_unit(r, tree);
+        return report_unit(r, tree);
     if (!text_number(tree->text, tree->count, &number) || strlen(tree->text) != tree->count)
         return false;
     diag_add(r->session, tree->span, DIAG_quoted_number, tree->text);

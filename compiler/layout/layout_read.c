@@ -200,10 +200,10 @@ static void read_range(Reader *r, const Tree *object, FieldRow *field)
         return;
     }
     const double least = 1e-6, most = 3.4e38; /* precision and range of floats */
-    bool told = fabs(field->low) < most && fabs(field->high) < most &&
-                field->high - field->low > least * fmax(fabs(field->low), fabs(field->high));
-    if (!told || !encoding_takes_range(field->encoding)) {
-        diag_add(r->session, tree->span, told ? DIAG_field_range : DIAG_bad_range,
+    bool reported = fabs(field->low) < most && fabs(field->high) < most &&
+                    field->high - field->low > least * fmax(fabs(field->low), fabs(field->high));
+    if (!reported || !encoding_takes_range(field->encoding)) {
+        diag_add(r->session, tree->span, reported ? DIAG_field_range : DIAG_bad_range,
                  encoding_table[field->encoding].name);
         fail(r);
     }

@@ -58,8 +58,8 @@ static const char *word_end(const char *word, const char *end)
 }
 
 /* Reports a missing colon or space: "specular 0.3", "specular:0.3". */
-static bool say_no_colon(Session *session, const Source *source, const YamlFault *fault,
-                         const Line *line)
+static bool report_no_colon(Session *session, const Source *source, const YamlFault *fault,
+                            const Line *line)
 {
     const char *end = word_end(line->word, line->end);
     const char *name = arena_string(session->arena, line->word, (size_t)(end - line->word));
@@ -72,8 +72,8 @@ static bool say_no_colon(Session *session, const Source *source, const YamlFault
     return true;
 }
 
-static bool say_indent(Session *session, const Source *source, const YamlFault *fault,
-                       const Line *line)
+static bool report_indent(Session *session, const Source *source, const YamlFault *fault,
+                          const Line *line)
 {
     const char *end = word_end(line->word, line->end);
     diag_add(session, span_to(source, fault, line->word, end), DIAG_too_far_in,
@@ -81,8 +81,8 @@ static bool say_indent(Session *session, const Source *source, const YamlFault *
     return true;
 }
 
-static bool say_tab(Session *session, const Source *source, const YamlFault *fault,
-                    const Line *line)
+static bool report_tab(Session *session, const Source *source, const YamlFault *fault,
+                       const Line *line)
 {
     const char *tab = memchr(line->start, '\t', line->indent);
     if (tab)
@@ -91,8 +91,8 @@ static bool say_tab(Session *session, const Source *source, const YamlFault *fau
 }
 
 /* Explains "mapping values are not allowed": a ':' inside a value. */
-static bool say_second_colon(Session *session, const Source *source, const YamlFault *fault,
-                             const Line *line)
+static bool report_second_colon(Session *session, const Source *source, const YamlFault *fault,
+                                const Line *line)
 {
     const Line above = line_above(source, line);
     const char *colon = colon_of(above.word, above.end), *first = colon_of(line->word, line->end);
@@ -105,13 +105,13 @@ static bool say_second_colon(Session *session, const Source *source, const YamlF
     if (above.start == line->start)
         return false;
     if (!colon)
-        return say_no_colon(session, source, fault, &above);
-    return line->indent > above.indent && say_indent(session, source, fault, line);
+        return report_no_colon(session, source, fault, &above);
+    return line->indent > above.indent && report_indent(session, source, fault, line);
 }
 
 /* Explains `{ map: Checker color1: red }`: a missing comma in braces or brackets. */
-static bool say_no_comma(Session *session, const Source *source, const YamlFault *fault,
-                         const Line *line)
+static bool report_no_comma(Session *session, const Source *source, const YamlFault *fault,
+                            const Line *line)
 {
     const char *end = source->text + fault->at, *word;
     if (*end != ':') {
@@ -134,15 +134,15 @@ static bool say_no_comma(Session *session, const Source *source, const YamlFault
  *     specular: 0.5                             next line. That line is not indented deeper
  *                                               than the brace's line, so the brace should
  *                                               have been closed before it. */
-static bool say_open(Session *session, const Source *source, const YamlFault *fault,
-                     const Line *line)
+static bool report_open(Session *session, const Source *source, const YamlFault *fault,
+                        const Line *line)
 {
     const char *open = source->text + fault->context, *at = source->text + fault->at;
     const bool quote = *open == '"' || *open == '\'', ends = at == source->text + source->size;
     const Line opening = line_at(source, fault->context);
     const bool later = line->start != opening.start && line->indent <= opening.indent;
     if (!quote && !ends && !later && !strchr("]}", *at))
-        return say_no_comma(session, source, fault, line);
+        return report_no_comma(session, source, fault, line);
     diag_add(session, span_to(source, fault, open, open + 1), DIAG_not_closed, *open);
     if (!ends)
         diag_add(session, span_to(source, fault, later ? line->word : at, at + 1),
@@ -180,8 +180,8 @@ static const char *hash_within(const char *at, const char *end)
 
 /* Explains `{ color1: #ff0000, color2: red }`: the '#' starts a comment that includes the
  * closing brace. */
-static bool say_hash(Session *session, const Source *source, const YamlFault *fault,
-                     const Line *line)
+static bool report_hash(Session *session, const Source *source, const YamlFault *fault,
+                        const Line *line)
 {
     const Line above = line_above(source, line);
     const char *from =
@@ -208,17 +208,17 @@ bool read_common_error(Session *session, const YamlFault *fault)
         is_open(fault->problem) || !strcmp(fault->problem, "did not find expected node content");
     const bool quoted =
         fault->context < source->size && strchr("'\"", source->text[fault->context]);
-    if (lacks && !quoted && say_hash(session, source, fault, &line))
+    if (lacks && !quoted && report_hash(session, source, fault, &line))
         return true;
     if (is_open(fault->problem) && strchr("{['\"", source->text[fault->context]))
-        return say_open(session, source, fault, &line);
-    if (say_tab(session, source, fault, &line))
+        return report_open(session, source, fault, &line);
+    if (report_tab(session, source, fault, &line))
         return true;
     if (!strcmp(fault->problem, "could not find expected ':'"))
-        return say_no_colon(session, source, fault, &context);
+        return report_no_colon(session, source, fault, &context);
     if (!strcmp(fault->problem, "mapping values are not allowed in this context"))
-        return say_second_colon(session, source, fault, &line);
+        return report_second_colon(session, source, fault, &line);
     if (!strcmp(fault->problem, "did not find expected key") && colon_of(line.word, line.end))
-        return line.indent > context.indent && say_indent(session, source, fault, &line);
+        return line.indent > context.indent && report_indent(session, source, fault, &line);
     return false;
 }

@@ -117,7 +117,7 @@ static const char *with_ending(Session *session, const char *name)
     return text.at;
 }
 
-static void say_missing(Session *session, const Tree *name, const Found *found)
+static void report_missing(Session *session, const Tree *name, const Found *found)
 {
     const char *file = with_ending(session, name->text);
     const LibraryName *defined = hint_library_name(name->text);
@@ -163,7 +163,7 @@ Tree *include_read(Session *session, const Tree *name, int depth, bool *fine)
     if (session->depends.count > LIMIT_INCLUDES)
         return diag_add(session, name->span, DIAG_too_many_includes, LIMIT_INCLUDES);
     if (!there) {
-        say_missing(session, name, &found);
+        report_missing(session, name, &found);
         return NULL;
     }
     if (!is_shipped(found.path))

@@ -317,7 +317,7 @@ static const Node *resolve_use(Resolver *r, Tree *use, const Member *def, bool m
     def->value->open = false;
     r->definition = outer;
     if (fault)
-        resolve_say_use(r, def, use);
+        resolve_report_use(r, def, use);
     return node;
 }
 

@@ -111,7 +111,7 @@ static bool read_arguments(Copy *c, const Tree *use)
             continue;
         if (use) {
             diag_add(session, use->span, DIAG_missing_argument, c->definition->key, p->member->key);
-            resolve_say_parameter(c->r, c->definition, p);
+            resolve_report_parameter(c->r, c->definition, p);
             fine = false;
         }
         c->arguments[i] = ARENA_NEW(session->arena, Tree);
@@ -344,7 +344,7 @@ Tree *resolve_definition(Resolver *r, const Member *definition, const Tree *use)
     return e->tree;
 }
 
-void resolve_say_use(Resolver *r, const Member *definition, const Tree *use)
+void resolve_report_use(Resolver *r, const Member *definition, const Tree *use)
 {
     const DiagList *diags = &r->session->diags;
     if (!diags->count || diags->at[diags->count - 1].severity == SEVERITY_note)

@@ -10,5 +10,5 @@ bool resolve_is_definition(const Tree *tree);
  * fault. */
 Tree *resolve_definition(Resolver *r, const Member *definition, const Tree *use);
 /* Adds a note at the other place of the last reported fault in an instance of the definition. */
-void resolve_say_use(Resolver *r, const Member *definition, const Tree *use);
+void resolve_report_use(Resolver *r, const Member *definition, const Tree *use);
 #endif

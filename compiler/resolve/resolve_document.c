@@ -197,7 +197,7 @@ static bool has_definitions_only(const Tree *document)
     return tree_find(document, "defs") || tree_find(document, "include");
 }
 
-static void *say_no_material(Session *session, const Tree *document)
+static void *report_no_material(Session *session, const Tree *document)
 {
     static const char *const keys[] = {"material", "materials", "ref"};
     for (size_t i = 0; i < sizeof keys / sizeof *keys; i++) {
@@ -217,7 +217,7 @@ static bool lists_material(const Tree *document)
            document->items[0]->kind == TREE_object && tree_find(document->items[0], "material");
 }
 
-static void say_nothing_to_compile(Session *session, const Tree *document)
+static void report_nothing_to_compile(Session *session, const Tree *document)
 {
     diag_add(session, document->span, DIAG_definitions_only,
              resolve_is_scene(document) ? "this is a scene, which matview draws"
@@ -261,7 +261,7 @@ Graph *resolve(Session *session, Tree *document)
         one = tree_find(document, "ref");
     const bool scene = resolve_is_scene(document);
     if (!many && !one && !scene && !has_definitions_only(document))
-        return say_no_material(session, document);
+        return report_no_material(session, document);
     bool fine = check_top(&r, document, many || scene);
     fine &= read_defs(&r, document, 0);
     if (many && many->value->kind != TREE_object)
@@ -282,7 +282,7 @@ Graph *resolve(Session *session, Tree *document)
     if (scene)
         scene_check(&r, document);
     if (!many && !one && fine && !session->diags.errors)
-        say_nothing_to_compile(session, document);
+        report_nothing_to_compile(session, document);
     resolve_picture_spaces(&r, materials, graph->material_count);
     graph->defs = r.defs;
     graph->def_count = (int)r.def_count;

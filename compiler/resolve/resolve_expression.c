@@ -104,19 +104,19 @@ static Tree *tree_of(Inputs *in, const Member *member)
 
 /* Reports an unknown name. A formula can read a param only through `with:`. After a failed
  * include no name is reported, since the file might define it. */
-static int say_unknown(Inputs *in, const char *name, const FormulaStep *step)
+static int report_unknown(Inputs *in, const char *name, const FormulaStep *step)
 {
     Resolver *r = in->r;
     Text hint = text_new(r->session->arena);
     if (r->lacks_file)
-        return FORMULA_SAID;
+        return FORMULA_REPORTED;
     in->parameters = parameters_around(in);
     if (names_find(&r->uniform_names, name) < 0)
         return FORMULA_UNKNOWN;
     text_format(&hint, "; a formula reads the param by `with: { %s: { param: %s, default: ... } }`",
                 name, name);
     diag_add(r->session, place(in, step->start, step->end), DIAG_formula_unknown, name, hint.at);
-    return FORMULA_SAID;
+    return FORMULA_REPORTED;
 }
 
 static int find_input(void *user, const char *name, const FormulaStep *step, int *width)
@@ -133,15 +133,15 @@ static int find_input(void *user, const char *name, const FormulaStep *step, int
         return number;
     }
     if (!member && !(member = definition(r, name)))
-        return say_unknown(in, name, step);
+        return report_unknown(in, name, step);
     if (member->value->open) {
         diag_add(r->session, place(in, step->start, step->end), DIAG_cycle, name);
-        return FORMULA_SAID;
+        return FORMULA_REPORTED;
     }
     Tree *tree = tree_of(in, member);
     const Node *node = tree ? resolve_map(r, tree, &fault) : NULL;
     if (fault || !tree)
-        return FORMULA_SAID;
+        return FORMULA_REPORTED;
     const Item item = {
         .value = {.kind = VALUE_number, .type = TYPE_float}, .input = node, .span = member->span};
     ARENA_PUSH(r->session->arena, in->items, in->count, in->room, item);
@@ -163,11 +163,11 @@ static int find_attribute(void *user, const FormulaAttribute *given)
             return found;
         diag_add(r->session, span, DIAG_attribute_conflict, given->name);
         diag_add(r->session, known->span, DIAG_first_given);
-        return FORMULA_SAID;
+        return FORMULA_REPORTED;
     }
     if (r->attribute_count == LIMIT_ATTRIBUTES) {
         diag_add(r->session, span, DIAG_too_many_attributes, LIMIT_ATTRIBUTES);
-        return FORMULA_SAID;
+        return FORMULA_REPORTED;
     }
     MeshAttribute *attribute = ARENA_NEW(r->session->arena, MeshAttribute);
     *attribute = (MeshAttribute){
@@ -190,7 +190,7 @@ static void keep(Resolver *r, const Inputs *in, const Formula *formula, Value *p
 }
 
 /* Detects an unquoted `= mix(red, #00ff00, u)`: YAML ends the text before the '#'. */
-static void say_hash(const Inputs *in)
+static void report_hash(const Inputs *in)
 {
     const Span span = in->text->span;
     const Source *source = &in->r->session->sources[span.file];
@@ -227,7 +227,7 @@ static const Formula *read_formula(Inputs *in)
     };
     const Formula *formula = formula_read(&source);
     if (!formula)
-        say_hash(in);
+        report_hash(in);
     return formula;
 }
 

@@ -162,7 +162,7 @@ bool resolve_parameter(Resolver *r, const Member *member, Parameter *p)
     return read_bound(r, tree, "min", &p->low) && read_bound(r, tree, "max", &p->high);
 }
 
-void resolve_say_parameter(Resolver *r, const Member *definition, const Parameter *p)
+void resolve_report_parameter(Resolver *r, const Member *definition, const Parameter *p)
 {
     diag_add(r->session, p->member->span, DIAG_parameter_here, p->member->key, definition->key);
 }
@@ -192,6 +192,6 @@ bool resolve_argument(Resolver *r, const Member *definition, const Parameter *p,
     if (!suits)
         diag_add(r->session, tree->span, DIAG_wrong_type, p->member->key, wanted[p->type],
                  tree_describe(r->session, tree));
-    resolve_say_parameter(r, definition, p);
+    resolve_report_parameter(r, definition, p);
     return false;
 }

@@ -33,5 +33,5 @@ bool resolve_parameter(Resolver *r, const Member *member, Parameter *parameter);
 bool resolve_argument(Resolver *r, const Member *definition, const Parameter *parameter,
                       const Tree *argument);
 /* Adds a note at the parameter that rejected an argument. */
-void resolve_say_parameter(Resolver *r, const Member *definition, const Parameter *parameter);
+void resolve_report_parameter(Resolver *r, const Member *definition, const Parameter *parameter);
 #endif

@@ -236,7 +236,7 @@ static Value over_normal(Foreign *s, const TranslationRow *row, Value there)
                    .span = map->span};
 }
 
-static void say_losses(Foreign *s)
+static void report_losses(Foreign *s)
 {
     for (int i = 0; i < loss_count; i++) {
         const LossRow *row = &loss_table[i];
@@ -280,7 +280,7 @@ const Node *resolve_translate(Resolver *r, Node of)
         fine &= value->kind != VALUE_none || !param_table[rule->to].lanes;
     }
     lint_units(r->session, &of); /* checked in the author's units */
-    say_losses(&s);
+    report_losses(&s);
     of.written = of.kind;
     of.kind = KIND_Principled;
     of.params = params;

@@ -19,7 +19,7 @@ bool resolve_fits_float(Resolver *r, const char *what, const Tree *tree, double 
 }
 
 /* Reports [0.5] where 0.5 is sufficient. */
-static bool say_single(Resolver *r, const char *what, const Tree *list, LaneCount lanes)
+static bool report_single(Resolver *r, const char *what, const Tree *list, LaneCount lanes)
 {
     double number;
     if (lanes.least > 1 || !tree_number(list->items[0], &number))
@@ -32,7 +32,7 @@ static bool number_list(Resolver *r, const char *what, const Tree *tree, LaneCou
                         Value *value)
 {
     if (tree->count == 1 &&
-        (common_error_list(r, tree->items[0]) || say_single(r, what, tree, lanes)))
+        (common_error_list(r, tree->items[0]) || report_single(r, what, tree, lanes)))
         return false;
     if (tree->count < 2 || (int)tree->count < lanes.least || (int)tree->count > lanes.most) {
         Text wanted = text_new(r->session->arena);

@@ -43,7 +43,7 @@ static const char *written_kind(Session *session, const Tree *tree, SceneSort so
     return written.at;
 }
 
-static void say_missing_kind(Session *session, const Tree *tree, SceneSort sort)
+static void report_missing_kind(Session *session, const Tree *tree, SceneSort sort)
 {
     const char *name = scene_sort_table[sort].name;
     const Member *other = tree->kind == TREE_object ? common_error_case(tree, name) : NULL;
@@ -62,7 +62,7 @@ int scene_check_kind(Session *session, const Tree *tree, SceneSort sort)
     if (!member && tree->kind == TREE_object && scene_kind_only(sort) >= 0)
         return scene_kind_only(sort);
     if (!member)
-        return say_missing_kind(session, tree, sort), -1;
+        return report_missing_kind(session, tree, sort), -1;
     if (member->value->kind != TREE_scalar) {
         diag_add(session, member->value->span, DIAG_wrong_type, name, "a name",
                  tree_describe(session, member->value));

@@ -52,7 +52,7 @@ static void close_compiled(void *user, int number)
 {
     Batch *b = user;
     BatchDocument *document = &b->documents[number];
-    batch_join_said(document);
+    batch_join_reports(document);
     batch_store_document(b, document);
     batch_close(document);
     pthread_mutex_lock(&b->mutex);
@@ -60,7 +60,7 @@ static void close_compiled(void *user, int number)
     b->closed++;
     if (b->calls->progress)
         b->calls->progress(b->calls->user, b->closed, b->document_count);
-    batch_say_complete(b);
+    batch_report_complete(b);
     pthread_mutex_unlock(&b->mutex);
 }
 
@@ -371,7 +371,7 @@ bool batch_run(const CommandLine *line, const BatchCalls *calls, BatchResult *re
         commit(&b);
     if (!b.fault)
         count(&b, result);
-    batch_say_rest(&b);
+    batch_report_rest(&b);
     list_watched(&b);
     const char *trouble = b.cache ? cache_trouble(b.cache) : NULL;
     if (trouble)

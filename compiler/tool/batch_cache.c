@@ -239,7 +239,7 @@ static bool has_changed(const BatchDocument *document, int requests)
 void batch_store_document(Batch *b, BatchDocument *document)
 {
     Bytes to = {0};
-    document->spoke |= document->said.size > 0;
+    document->spoke |= document->reported.size > 0;
     if (!b->cache || document->spoke || b->fault ||
         (document->stored && !has_changed(document, b->request_count)))
         return;

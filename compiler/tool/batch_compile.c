@@ -11,8 +11,8 @@ static void write_program(Batch *b, BatchDocument *document, const BatchEdition 
 {
     Unit *unit = edition->unit;
     if (!matc_emit(program, b->outputs)) {
-        batch_say_of(b, document, unit->material,
-                     matc_program_diagnostics(program, b->line->diagnostics));
+        batch_report_of(b, document, unit->material,
+                        matc_program_diagnostics(program, b->line->diagnostics));
         batch_fault(b);
         return;
     }
@@ -82,8 +82,8 @@ static MatcProgram *compile(Batch *b, BatchDocument *document, const Unit *unit,
     MatcProgram *program = matc_compile(parsed, material, MATC_KEY, &options);
     if (matc_ok(program))
         return program;
-    batch_say_of(b, document, unit->material,
-                 matc_program_diagnostics(program, b->line->diagnostics));
+    batch_report_of(b, document, unit->material,
+                    matc_program_diagnostics(program, b->line->diagnostics));
     batch_fault(b);
     matc_program_free(program);
     return NULL;
@@ -96,8 +96,8 @@ static void compile_request(Batch *b, BatchDocument *document, BatchMaterial *ow
     if (!program)
         return;
     /* the diagnostics are warnings only */
-    batch_say_of(b, document, unit->material,
-                 matc_program_diagnostics(program, b->line->diagnostics));
+    batch_report_of(b, document, unit->material,
+                    matc_program_diagnostics(program, b->line->diagnostics));
     unit->pass = unit_pass(program);
     batch_name(b, unit, name);
     snprintf(textures, sizeof textures, "%s/%s", b->line->textures ? b->line->textures : "", name);

@@ -87,7 +87,7 @@ bool batch_document_list(Batch *b, BatchDocument *document)
         document->materials[i].name = sets_copy(matc_material_name(parsed, document->offset + i));
     for (int i = 0; i < document->depend_count; i++)
         document->depends[i] = sets_copy(matc_depend(parsed, i));
-    batch_say(b, document, matc_diagnostics(document->parsed, b->line->diagnostics));
+    batch_report(b, document, matc_diagnostics(document->parsed, b->line->diagnostics));
     if (!count && (matc_error_count(parsed) || b->line->material))
         batch_fault(b);
     return count > 0;
@@ -99,7 +99,7 @@ void batch_document_free(BatchDocument *document, int requests)
         for (int t = 0; t < requests; t++)
             unit_free(&document->materials[m].units[t]);
         free(document->materials[m].name);
-        bytes_free(&document->materials[m].said);
+        bytes_free(&document->materials[m].reported);
     }
     for (int i = 0; i < document->depend_count; i++)
         free(document->depends[i]);
@@ -109,6 +109,6 @@ void batch_document_free(BatchDocument *document, int requests)
     free(document->ranges);
     free(document->again);
     free(document->text);
-    bytes_free(&document->said);
+    bytes_free(&document->reported);
     pthread_mutex_destroy(&document->mutex);
 }

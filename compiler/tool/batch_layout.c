@@ -68,7 +68,7 @@ void batch_make_layout(Batch *b)
     if (matc_layout_ok(b->layout)) {
         b->options.custom = b->layout;
         if (b->line->stats)
-            batch_say(b, NULL, matc_layout_report(b->layout));
+            batch_report(b, NULL, matc_layout_report(b->layout));
     } else { /* no materials, as the documents' messages say */
         b->options.layout = NULL;
     }

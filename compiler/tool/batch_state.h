@@ -18,7 +18,7 @@ typedef enum { NUMBERS_baked, NUMBERS_uniform, NUMBERS_auto } Numbers;
 typedef struct {
     char *name;
     const char *opacity; /* opacity class, as matc_opacity returns */
-    Bytes said;          /* diagnostics, printed after those of the document */
+    Bytes reported;      /* diagnostics, printed after those of the document */
     Unit *units;         /* one unit per request */
 } BatchMaterial;
 
@@ -41,7 +41,7 @@ typedef struct {
     bool spoke;
     bool unreadable; /* reading failed, which was reported */
     bool once;       /* a pipe, which can be read only once: its text is kept */
-    Bytes said;      /* diagnostics of the document */
+    Bytes reported;  /* diagnostics of the document */
     bool closed;
     int *again, again_count; /* programs to be rewritten for its materials, once all are known */
     pthread_mutex_t mutex;   /* guards `parsed` */
@@ -93,16 +93,16 @@ typedef struct {
     Key *file_keys;  /* their content hashes */
     /* Number of documents whose diagnostics are complete; and number of leading documents whose
      * diagnostics were printed. */
-    int closed, said;
+    int closed, reported;
     Bytes general;     /* diagnostics that concern no document */
     atomic_bool fault; /* read by any thread */
 } Batch;
 
-/* -- batch_say.c */
+/* -- batch_report.c */
 /* Appends diagnostics, if any, to the document's (NULL: to the general ones). */
-void batch_say(Batch *batch, BatchDocument *document, const char *text);
+void batch_report(Batch *batch, BatchDocument *document, const char *text);
 /* Appends diagnostics about a material, from any thread: they are sorted by material. */
-void batch_say_of(Batch *batch, BatchDocument *document, int material, const char *text);
+void batch_report_of(Batch *batch, BatchDocument *document, int material, const char *text);
 void batch_fault(Batch *batch);
 /* Reports a fault of the document. */
 void batch_complain(Batch *batch, BatchDocument *document, const char *what, const char *why);
@@ -113,12 +113,12 @@ void batch_complain_within(Batch *batch, BatchDocument *document, const char *fo
 void batch_warn(Batch *batch, const char *what, const char *why);
 /* Prints the diagnostics of completed documents up to the first incomplete one. The caller holds
  * the mutex. */
-void batch_say_complete(Batch *batch);
+void batch_report_complete(Batch *batch);
 /* Appends the diagnostics of a document's materials to the document's own. No thread may work on
  * the document. */
-void batch_join_said(BatchDocument *document);
+void batch_join_reports(BatchDocument *document);
 /* Prints diagnostics found after all documents were read. */
-void batch_say_rest(Batch *batch);
+void batch_report_rest(Batch *batch);
 
 /* -- batch_state.c */
 Unit *batch_unit(const Batch *batch, int document, int material, int request);

@@ -224,7 +224,7 @@ static bool take(const struct aiScene *scene, const ModelAttributes *attributes,
 }
 
 /* Returns assimp's error message; std::bad_alloc is replaced by a message for authors. */
-static const char *said(void)
+static const char *reported(void)
 {
     const char *text = aiGetErrorString();
     return strcmp(text, "std::bad_alloc")
@@ -241,7 +241,7 @@ bool model_import(const ModelSource *source, ModelParts *parts, char *error, siz
     struct aiFileIO files = model_open_files(source->root);
     const struct aiScene *scene = done ? aiImportFileEx(source->path, steps, &files) : NULL;
     if (done && !scene)
-        done = message_fail(error, room, "%s", said());
+        done = message_fail(error, room, "%s", reported());
     if (scene) {
         done = take(scene, &attributes, parts, error, room);
         aiReleaseImport(scene);

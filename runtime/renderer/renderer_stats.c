@@ -263,9 +263,9 @@ char *renderer_diagnostics(const Renderer *renderer)
     const MaterialSet *set = &renderer->set;
     text_put(&out, "");
     for (int i = 0; i < set->count; i++) {
-        const char *said = matc_program_diagnostics(set->programs[i].program, MATC_TEXT);
-        if (!strstr(out.at, said))
-            text_put(&out, said);
+        const char *reported = matc_program_diagnostics(set->programs[i].program, MATC_TEXT);
+        if (!strstr(out.at, reported))
+            text_put(&out, reported);
     }
     if (renderer->scene && renderer->gpu_scene.place_count && !renderer->gpu_scene.seen &&
         !renderer->gpu_scene.plane_count)

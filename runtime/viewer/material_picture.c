@@ -37,21 +37,21 @@ static bool fail_unknown(const MatcProgram *program, const char *name, char *err
 }
 
 static bool set_param(MaterialPictures *p, const MatcProgram *program, int number,
-                      MaterialSaid *said)
+                      MaterialReport *reported)
 {
-    const size_t room = sizeof said->error;
+    const size_t room = sizeof reported->error;
     Param param = p->options.params[number];
     const MatcUniform *uniform = find_uniform(program, param.name);
     const Preview *preview = &p->previews[p->shown];
     if (!uniform)
-        return fail_unknown(program, param.name, said->error, room);
+        return fail_unknown(program, param.name, reported->error, room);
     if (!param_fit(&param, uniform->lanes))
-        return message_fail(said->error, room, "--param: '%s' takes %d numbers, not %d",
+        return message_fail(reported->error, room, "--param: '%s' takes %d numbers, not %d",
                             uniform->param, uniform->lanes, param.lanes);
     return scene_pictures_param(p->pictures, uniform->name,
                                 param.values[param_colors(preview->material.document)],
                                 uniform->lanes) ||
-           message_fail(said->error, room, "%s", p->gl->error);
+           message_fail(reported->error, room, "%s", p->gl->error);
 }
 
 static MatcProgram *compile(const MaterialPictures *p, unsigned outputs)
@@ -63,47 +63,48 @@ static MatcProgram *compile(const MaterialPictures *p, unsigned outputs)
     return matc_compile(material->document, material->index, outputs, &options);
 }
 
-static bool set_params(MaterialPictures *p, MaterialSaid *said)
+static bool set_params(MaterialPictures *p, MaterialReport *reported)
 {
     if (!p->options.param_count)
         return true;
     MatcProgram *program = compile(p, MATC_KEY);
     bool fine = true;
     for (int i = 0; fine && i < p->options.param_count; i++)
-        fine = set_param(p, program, i, said);
+        fine = set_param(p, program, i, reported);
     matc_program_free(program);
     return fine;
 }
 
 /* Reports a failure: compiler diagnostics if the program has errors, else the GL error. */
-static bool fail(const MaterialPictures *p, MaterialSaid *said)
+static bool fail(const MaterialPictures *p, MaterialReport *reported)
 {
     MatcProgram *program = compile(p, MATC_FRAGMENT);
     if (!matc_ok(program))
-        said->diagnostics = memory_checked(strdup(matc_program_diagnostics(program, MATC_TEXT)));
+        reported->diagnostics =
+            memory_checked(strdup(matc_program_diagnostics(program, MATC_TEXT)));
     else
-        snprintf(said->error, sizeof said->error, "%s", p->gl->error);
+        snprintf(reported->error, sizeof reported->error, "%s", p->gl->error);
     matc_program_free(program);
     return false;
 }
 
 bool material_pictures_show(MaterialPictures *p, MatcDocument *document, int material,
-                            MaterialSaid *said)
+                            MaterialReport *reported)
 {
-    *said = (MaterialSaid){0};
+    *reported = (MaterialReport){0};
     p->shown = !p->shown;
     Preview *preview = &p->previews[p->shown];
     preview_free(preview);
     if (!preview_make(&p->options.preview, (SceneMaterial){document, material}, &p->compile,
                       preview))
-        return message_fail(said->error, sizeof said->error, "out of memory");
+        return message_fail(reported->error, sizeof reported->error, "out of memory");
     preview->scene.tools.grid = p->options.tools.grid;
     preview->scene.tools.axes = p->options.tools.axes;
     preview->scene.tools.lights = p->options.tools.lights;
     if (!scene_pictures_show(p->pictures, &preview->scene))
-        return fail(p, said);
-    said->diagnostics = scene_pictures_diagnostics(p->pictures);
-    return set_params(p, said);
+        return fail(p, reported);
+    reported->diagnostics = scene_pictures_diagnostics(p->pictures);
+    return set_params(p, reported);
 }
 
 ScenePictures *material_pictures_of(MaterialPictures *p) { return p->pictures; }

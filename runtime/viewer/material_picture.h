@@ -22,7 +22,7 @@ typedef struct MaterialPictures MaterialPictures;
 typedef struct {
     char *diagnostics; /* compiler diagnostics, from malloc; or NULL */
     char error[8192];  /* any other error, or "" */
-} MaterialSaid;
+} MaterialReport;
 
 /* Opens a renderer for materials. Data that the options point to must outlive the result.
  * Returns NULL with the reason in gl->error. */
@@ -30,7 +30,7 @@ MaterialPictures *material_pictures_open(GlContext *gl, const MaterialPictureOpt
 /* Builds the preview scene of a material, to be drawn next. Returns false on failure: the reason
  * is in said->diagnostics, or else in said->error. */
 bool material_pictures_show(MaterialPictures *pictures, MatcDocument *document, int material,
-                            MaterialSaid *said);
+                            MaterialReport *reported);
 /* Returns the pictures that draw the current preview scene. */
 ScenePictures *material_pictures_of(MaterialPictures *pictures);
 /* Closes the renderer; NULL is allowed. */

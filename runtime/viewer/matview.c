@@ -160,14 +160,14 @@ static int draw_cell(Run *run, ScenePictures *pictures, const char *name)
 static int draw_material(Run *run, MatcDocument *document, int material, const char *name)
 {
     char path[PICTURE_NAME_PATH];
-    MaterialSaid said;
+    MaterialReport reported;
     if (!open_materials(run))
         return complain(name, run->gl->error);
-    const bool made = material_pictures_show(run->materials, document, material, &said);
-    fputs(said.diagnostics ? said.diagnostics : "", stderr);
-    free(said.diagnostics);
+    const bool made = material_pictures_show(run->materials, document, material, &reported);
+    fputs(reported.diagnostics ? reported.diagnostics : "", stderr);
+    free(reported.diagnostics);
     if (!made)
-        return *said.error ? complain(name, said.error) : FAULT;
+        return *reported.error ? complain(name, reported.error) : FAULT;
     ScenePictures *pictures = material_pictures_of(run->materials);
     if (run->sheet)
         return draw_cell(run, pictures, name);
@@ -229,9 +229,9 @@ static bool open_pictures(Drawing *d)
     d->pictures = scene_pictures_open(d->run->gl, &d->options);
     if (!d->pictures || !scene_pictures_show(d->pictures, &d->seen))
         return false;
-    char *said = scene_pictures_diagnostics(d->pictures);
-    fputs(said, stderr);
-    free(said);
+    char *reported = scene_pictures_diagnostics(d->pictures);
+    fputs(reported, stderr);
+    free(reported);
     return true;
 }
 

@@ -100,22 +100,22 @@ BatchCache batch_cache(const BatchFolder *folder)
     char command[2 * BATCH_PATH], line[128];
     snprintf(command, sizeof command, "%s --cache-stats --cache=%s/cache", folder->matc,
              folder->path);
-    FILE *said = popen(command, "r");
-    while (said && fgets(line, sizeof line, said))
+    FILE *reported = popen(command, "r");
+    while (reported && fgets(line, sizeof line, reported))
         if (sscanf(line, "entries %ld", &held.entries) != 1 &&
             sscanf(line, "bytes %ld", &held.bytes) != 1)
             continue;
-    if (said)
-        pclose(said);
+    if (reported)
+        pclose(reported);
     return held;
 }
 
 static void show(const char *path)
 {
     size_t size;
-    char *said = read_whole(path, &size);
-    fprintf(stderr, "matbench: matc failed\n%.2000s\n", said ? said : "");
-    free(said);
+    char *reported = read_whole(path, &size);
+    fprintf(stderr, "matbench: matc failed\n%.2000s\n", reported ? reported : "");
+    free(reported);
 }
 
 static double seconds_of(struct timeval time)
@@ -177,17 +177,17 @@ static bool run_process(char *const *arguments, const char *output, BatchTimes *
 bool batch_run(const BatchFolder *folder, const char *list, const char *out,
                const char *const *arguments, BatchTimes *times)
 {
-    char at_list[BATCH_PATH], to[BATCH_PATH], said[BATCH_PATH];
+    char at_list[BATCH_PATH], to[BATCH_PATH], reported[BATCH_PATH];
     const char *all[BATCH_ARGUMENTS] = {folder->matc, "-d", to, at_list};
     int count = 4;
     snprintf(at_list, sizeof at_list, "@%s/%s.txt", folder->path, list);
     snprintf(to, sizeof to, "%s/%s", folder->path, out);
-    snprintf(said, sizeof said, "%s/said", folder->path);
+    snprintf(reported, sizeof reported, "%s/said", folder->path);
     for (; *arguments && count < BATCH_ARGUMENTS - 1; arguments++)
         all[count++] = *arguments;
-    if (run_process((char *const *)all, said, times))
+    if (run_process((char *const *)all, reported, times))
         return true;
-    show(said);
+    show(reported);
     return false;
 }
 

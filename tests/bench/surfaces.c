@@ -63,12 +63,12 @@ static double slot_error(const Sweep *s, int point, int slot)
     return most;
 }
 
-static bool is_said(const SlotValues *values, int slot)
+static bool is_reported(const SlotValues *values, int slot)
 {
-    bool said = slot == SLOT_normal;
+    bool reported = slot == SLOT_normal;
     for (int lane = 0; lane < type_table[slot_table[slot].type].lanes; lane++)
-        said |= values->lane[slot][lane] != slot_table[slot].absent;
-    return said;
+        reported |= values->lane[slot][lane] != slot_table[slot].absent;
+    return reported;
 }
 
 /* Draws a batch of points, and notes what slots are off by. */
@@ -80,7 +80,7 @@ static bool compare(Sweep *s, Material *material)
     field_delete(s->meter->gl, &field);
     for (int i = 0; i < POINTS && done; i++)
         for (int slot = 0; slot < SLOT_COUNT; slot++)
-            if (is_said(&s->want[i], slot))
+            if (is_reported(&s->want[i], slot))
                 s->worst[slot] = fmax(s->worst[slot], slot_error(s, i, slot));
     return done;
 }

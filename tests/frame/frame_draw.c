@@ -136,9 +136,9 @@ char *frame_graph_or_fault(GlContext *gl, const Scene *scene, const RendererOpti
 {
     Renderer *renderer = renderer_open(gl, options);
     const bool done = renderer && renderer_set_scene(renderer, scene) && renderer_frame(renderer);
-    char *said = done ? frame_graph(renderer) : strdup(gl->error);
+    char *reported = done ? frame_graph(renderer) : strdup(gl->error);
     renderer_close(renderer);
-    return said;
+    return reported;
 }
 
 void frame_forget(Scene *scene, MatcDocument *document)

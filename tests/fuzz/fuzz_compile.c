@@ -18,8 +18,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
         for (options.optimize = 0; options.optimize <= 2; options.optimize += 2) {
             MatcProgram *program =
                 matc_compile(document, i, MATC_FRAGMENT | MATC_IR | MATC_REFLECT, &options);
-            const char *said = matc_program_diagnostics(program, MATC_TEXT);
-            if (strstr(said, "internal fault"))
+            const char *reported = matc_program_diagnostics(program, MATC_TEXT);
+            if (strstr(reported, "internal fault"))
                 abort();
             matc_program_free(program);
         }

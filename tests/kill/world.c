@@ -82,8 +82,8 @@ static int note(const char *path, const struct stat *info, int kind, struct FTW 
     return 0;
 }
 
-/* All names below a folder and all bytes, but for the GPU scene's; those that only a next run removes
- * are left out where that is said. */
+/* All names below a folder and all bytes, but for the GPU scene's; those that only a next run
+ * removes are left out where that is said. */
 Bytes world_tree(const char *path, bool hidden)
 {
     Bytes tree = {0};
@@ -199,9 +199,9 @@ static void become_matc(const World *w, const char *const *arguments, long at, c
     for (int i = 0; i < MOST_ARGUMENTS && arguments[i]; i++)
         all[i + 1] = arguments[i];
     world_path(w, "said", path);
-    int said = open(path, O_WRONLY | O_CREAT | O_TRUNC, 0666);
-    dup2(said, STDOUT_FILENO);
-    dup2(said, STDERR_FILENO);
+    int reported = open(path, O_WRONLY | O_CREAT | O_TRUNC, 0666);
+    dup2(reported, STDOUT_FILENO);
+    dup2(reported, STDERR_FILENO);
     world_path(w, "calls", path);
     setenv("STRIKE_LOG", path, 1);
     snprintf(number, sizeof number, "%ld", at);
@@ -238,9 +238,9 @@ bool world_says(const World *w, const char *what)
     char path[PATH_ROOM];
     size_t size;
     world_path(w, "said", path);
-    char *said = read_whole(path, &size);
-    bool any = said && strstr(said, what);
-    free(said);
+    char *reported = read_whole(path, &size);
+    bool any = reported && strstr(reported, what);
+    free(reported);
     return any;
 }
 

@@ -260,8 +260,8 @@ static void what_is_too_deep_leaves_its_neighbours_their_depth(void **state)
     fclose(out);
     MatcDocument *document = read_text(text, &options);
     assert_int_equal(matc_material_count(document), 0);
-    const char *said = matc_diagnostics(document, MATC_TEXT),
-               *first = strstr(said, "nested deeper than");
+    const char *reported = matc_diagnostics(document, MATC_TEXT),
+               *first = strstr(reported, "nested deeper than");
     assert_non_null(first);
     assert_null(strstr(first + 1, "nested deeper than"));
     matc_document_free(document);

@@ -27,7 +27,7 @@ bool trial_fault(Trial *t, FaultKind kind, const char *format, ...)
     return false;
 }
 
-static const char *said(Session *session)
+static const char *reported(Session *session)
 {
     Text out = text_new(session->arena);
     for (size_t i = 0; i < session->diags.count; i++)
@@ -47,7 +47,7 @@ static bool open_document(Trial *t, const char *text, size_t size)
                source);
     t->graph = compile_front(&t->session, 0, &t->tree);
     if (!t->graph || t->session.diags.errors || !t->graph->material_count)
-        return trial_fault(t, FAULT_refused, "%s", said(&t->session));
+        return trial_fault(t, FAULT_refused, "%s", reported(&t->session));
     t->material = t->graph->materials[0].node;
     Job job;
     choice_job(&t->options, &job);
@@ -70,7 +70,7 @@ const Ir *trial_ir(Trial *t, Arena *arena, Pass pass, Slot slot, int level)
     const Ir *ir = compile_ir(&session, t->graph, t->material, &job);
     if (!ir)
         trial_fault(t, FAULT_no_ir, "%s %s -O%d: %s", pass_table[pass].name, slot_table[slot].name,
-                    level, said(&session));
+                    level, reported(&session));
     return ir;
 }
 
@@ -135,12 +135,12 @@ static bool calls(const Ir *ir, Function function)
  * optimiser may change: where both are met, a pixel has no size. */
 static Pixel pixel_of(const Trial *t, const Program *p)
 {
-    bool sees = false, told = false;
+    bool sees = false, reported = false;
     for (int form = 0; form < FORM_COUNT; form++) {
         sees |= calls(p->ir[form], FN_imageSampled) || calls(p->ir[form], FN_imageCentred);
-        told |= calls(p->ir[form], FN_imageSampledOver);
+        reported |= calls(p->ir[form], FN_imageSampledOver);
     }
-    return sees && told ? (Pixel){0, 0} : t->plan->pixel;
+    return sees && reported ? (Pixel){0, 0} : t->plan->pixel;
 }
 
 static bool make_form(Trial *t, Program *p, Pass pass, Slot slot, int form)

@@ -11,7 +11,7 @@
 typedef struct {
     char path[SET_PATH];
     const char *text;
-    int said;
+    int reported;
 } Change;
 
 static void write_text(const char *path, const char *text)
@@ -32,7 +32,8 @@ static void change_at_last(void *user, int done, int documents)
 static void hear(void *user, const char *text)
 {
     Change *change = user;
-    change->said += strstr(text, change->path) && strstr(text, "it changed while it was compiled");
+    change->reported +=
+        strstr(text, change->path) && strstr(text, "it changed while it was compiled");
 }
 
 static bool run_changing(const BatchSet *set, Change *change, BatchResult *result)
@@ -73,12 +74,12 @@ static void changes_are_noticed(void **state)
     assert_int_equal(system(command), 0);
     change.text = "defs: { tone: { map: Checker } }\n";
     assert_false(run_changing(&set, &change, &result));
-    assert_int_equal(change.said, 1);
+    assert_int_equal(change.reported, 1);
     write_text(change.path, part);
     snprintf(change.path, sizeof change.path, "%s/d0.yaml", set.folder);
     change.text = "material: Phong\n";
     assert_false(run_changing(&set, &change, &result));
-    assert_int_equal(change.said, 2);
+    assert_int_equal(change.reported, 2);
     batch_set_close(&set);
 }
 

@@ -16,7 +16,7 @@ enum { PATH_ROOM = 512, KEY_DIGITS = 32 };
 
 typedef struct {
     char folder[64], out[PATH_ROOM];
-    int said;
+    int reported;
 } Fixture;
 
 static void write_text(const Fixture *f, const char *name, const char *text)
@@ -59,7 +59,7 @@ static int tear_down(void **state)
 static void hear(void *user, const char *text)
 {
     Fixture *f = user;
-    f->said += *text != 0;
+    f->reported += *text != 0;
 }
 
 /* The text with a folder for @ and quotes for '; from malloc. */
@@ -247,7 +247,7 @@ static void manifests_are_as_written_by_hand(void **state)
         free(text);
         free(wanted);
     }
-    assert_int_equal(f->said, 0);
+    assert_int_equal(f->reported, 0);
     for (int i = 0; i < manifest_end(); i++)
         if (rows[i].kind == ROW_MEMBER && !seen[i])
             fail_msg("no manifest here has %s", rows[i].name);
@@ -307,9 +307,9 @@ static void a_fault_leaves_the_manifest_alone(void **state)
     BatchResult result;
     size_t before, after;
     folder_remove(f->out);
-    f->said = 0;
+    f->reported = 0;
     assert_false(run(f, &bad, &result));
-    assert_true(f->said > 0);
+    assert_true(f->reported > 0);
     assert_int_equal(access(f->out, F_OK), -1);
     assert_true(run(f, &good, &result));
     char *old = read_out(f, "manifest.json", &before);

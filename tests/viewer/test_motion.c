@@ -108,7 +108,7 @@ static void faults(void **state)
 {
     (void)state;
     static const struct {
-        const char *text, *said;
+        const char *text, *reported;
     } cases[] = {
         {"motion: { motion: Turntabel }\n",
          "1:19: error: no motion is called 'Turntabel'; did you mean 'Turntable'?"},
@@ -130,9 +130,9 @@ static void faults(void **state)
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         MatcDocument *document;
         Scene *scene = read_text(cases[i].text, &document);
-        const char *said = matc_diagnostics(document, MATC_TEXT);
-        if (cases[i].said ? scene || !strstr(said, cases[i].said) : !scene)
-            fail_msg("%s\n%s", cases[i].text, said);
+        const char *reported = matc_diagnostics(document, MATC_TEXT);
+        if (cases[i].reported ? scene || !strstr(reported, cases[i].reported) : !scene)
+            fail_msg("%s\n%s", cases[i].text, reported);
         forget(scene, document);
     }
 }

@@ -7,7 +7,7 @@ const IndirectMethod *indirect_method(const Renderer *renderer)
     return renderer->indirect->method;
 }
 
-static bool is_said(const Renderer *renderer)
+static bool is_reported(const Renderer *renderer)
 {
     return renderer->scene && scene_indirect_is(renderer->scene);
 }
@@ -15,7 +15,7 @@ static bool is_said(const Renderer *renderer)
 /* A scene without objects has no indirect light. */
 bool indirect_is(const Renderer *renderer)
 {
-    return is_said(renderer) && renderer->scene->object_count > 0;
+    return is_reported(renderer) && renderer->scene->object_count > 0;
 }
 
 bool indirect_shows(const Renderer *renderer, const char *view)
@@ -87,8 +87,8 @@ const char *indirect_lacks_view(const Renderer *renderer)
     const char *view = renderer->options.view;
     if (!view || !indirect_view_lanes(view) || indirect_is(renderer))
         return NULL;
-    return is_said(renderer) ? "the scene has no objects"
-                             : "the scene has no `indirect:`, which --indirect=METHOD gives it";
+    return is_reported(renderer) ? "the scene has no objects"
+                                 : "the scene has no `indirect:`, which --indirect=METHOD gives it";
 }
 
 bool indirect_keeps(const Renderer *renderer)

@@ -271,7 +271,7 @@ static bool measure_rays(GlContext *gl, const BenchOptions *a)
     const double rays = (double)WIDE * HIGH * ACROSS * ACROSS;
     Place p;
     VoxelPoints points = {.wide = 0};
-    static float said[WIDE * HIGH][4];
+    static float reported[WIDE * HIGH][4];
     bool fine = open_place(gl, a, 264, &p) && make_points(&p, &points);
     printf("\nrays of a quarter of the scene, %d voxels along an edge: bricks or voxels that one "
            "reads, share that "
@@ -289,10 +289,10 @@ static bool measure_rays(GlContext *gl, const BenchOptions *a)
             gl->Finish();
             least = fmin(least, bench_now() - begin);
         }
-        fine = fine && framebuffer_read(gl, &pass.target, 0, said[0]);
+        fine = fine && framebuffer_read(gl, &pass.target, 0, reported[0]);
         for (int k = 0; fine && k < WIDE * HIGH; k++) {
-            reads += said[k][1] / (WIDE * HIGH);
-            open += said[k][0] / (WIDE * HIGH);
+            reads += reported[k][1] / (WIDE * HIGH);
+            open += reported[k][0] / (WIDE * HIGH);
         }
         if (fine)
             printf("%-16s %8.2f %8.4f %8s\n", ways[i].name, reads, open,

@@ -8,7 +8,7 @@
 
 enum { MOST_FRAMES = 64, FEWEST_FRAMES = 3 };
 
-static bool said(const char *why) { return fprintf(stderr, "matbench: %s\n", why) < 0; }
+static bool reported(const char *why) { return fprintf(stderr, "matbench: %s\n", why) < 0; }
 
 static RendererOptions options_of(const Bench *bench, const RendererOptions *options)
 {
@@ -25,7 +25,7 @@ static bool open_renderer(const Bench *bench, const RendererOptions *options, co
 {
     *made = renderer_open(bench->gl, options);
     return (*made && renderer_set_scene(*made, scene) && renderer_frame(*made)) ||
-           said(bench->gl->error);
+           reported(bench->gl->error);
 }
 
 bool bench_scene_open(const Bench *bench, const Text *text, const RendererOptions *options,
@@ -35,7 +35,7 @@ bool bench_scene_open(const Bench *bench, const Text *text, const RendererOption
     *made = (BenchScene){0};
     made->document = scene_read("bench.yaml", text->at, text->size, &bench->compile, &made->scene);
     if (!made->scene)
-        return said(matc_diagnostics(made->document, MATC_TEXT));
+        return reported(matc_diagnostics(made->document, MATC_TEXT));
     return open_renderer(bench, &with, made->scene, &made->render);
 }
 
@@ -51,7 +51,7 @@ bool bench_scene_open_forward(const Bench *bench, BenchScene *made)
     const ForwardSource source = {made->scene, &bench->compile, bench->width, bench->height};
     made->forward = forward_open(bench->gl, &source);
     if (!made->forward)
-        return said(bench->gl->error);
+        return reported(bench->gl->error);
     forward_draw(made->forward);
     return true;
 }
@@ -114,7 +114,7 @@ bool bench_scene_time(const Bench *bench, BenchScene *scene, BenchTimes times[BE
                 seconds[way][count] = draw(bench, scene, way, frames[way]);
     for (int way = 0; way < BENCH_WAYS; way++)
         times[way] = draws(scene, way) ? times_of(seconds[way], count) : (BenchTimes){NAN, NAN};
-    return gl_check(bench->gl, "drawing frames") || said(bench->gl->error);
+    return gl_check(bench->gl, "drawing frames") || reported(bench->gl->error);
 }
 
 int bench_scene_passes(const Bench *bench, BenchScene *scene,

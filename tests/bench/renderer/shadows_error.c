@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-static bool said(const char *why) { return fprintf(stderr, "matbench: %s\n", why) < 0; }
+static bool reported(const char *why) { return fprintf(stderr, "matbench: %s\n", why) < 0; }
 
 /* -- pictures */
 
@@ -37,7 +37,7 @@ static float *draw(const ShadowsPicture *p, const char *view, const ShadowsMetho
     if (done)
         return rgba;
     free(rgba);
-    return said(p->target.gl->error), NULL;
+    return reported(p->target.gl->error), NULL;
 }
 
 /* One lane of a view. */

@@ -53,7 +53,7 @@ static void say(FILE *out, const char *what, const char *text)
     fprintf(out, "%s: %s\n", what, text ? text : "none");
 }
 
-static void say_document(FILE *out, const char *path, const char *text, size_t size)
+static void report_document(FILE *out, const char *path, const char *text, size_t size)
 {
     const MatcOptions options = quick();
     MatcDocument *document = matc_read(path, text, size, &options);
@@ -76,7 +76,7 @@ static void say_document(FILE *out, const char *path, const char *text, size_t s
     matc_document_free(document);
 }
 
-static void say_layout(FILE *out, const char *what, MatcLayout *layout)
+static void report_layout(FILE *out, const char *what, MatcLayout *layout)
 {
     say(out, what, matc_layout_ok(layout) ? matc_layout_text(layout) : "none");
     say(out, what, matc_layout_ok(layout) ? matc_layout_report(layout) : "none");
@@ -84,7 +84,7 @@ static void say_layout(FILE *out, const char *what, MatcLayout *layout)
     matc_layout_free(layout);
 }
 
-static void say_auto_layout(FILE *out, const char *path, const char *text, size_t size)
+static void report_auto_layout(FILE *out, const char *path, const char *text, size_t size)
 {
     char *fault;
     MatcRanges ranges;
@@ -94,29 +94,29 @@ static void say_auto_layout(FILE *out, const char *path, const char *text, size_
     for (int i = 0; i < matc_material_count(document); i++)
         if (!matc_ranges_add(&ranges, document, i, &options, &fault))
             free(fault);
-    say_layout(out, path, matc_layout_for(&ranges, 0.004, &options));
+    report_layout(out, path, matc_layout_for(&ranges, 0.004, &options));
     matc_document_free(document);
 }
 
-static void say_word(FILE *out, const char *word)
+static void report_word(FILE *out, const char *word)
 {
     char *text = matc_explain(word);
     say(out, word, text);
     free(text);
 }
 
-static void say_words(FILE *out)
+static void report_words(FILE *out)
 {
     static const char *const schemas[] = {NULL, "layout", "manifest", "reflection"};
     char *list = matc_list();
     say(out, "list", list);
     free(list);
     for (int i = 0; i < KIND_COUNT; i++)
-        say_word(out, kind_table[i].name);
+        report_word(out, kind_table[i].name);
     for (int i = 0; i < LAYOUT_COUNT; i++)
-        say_word(out, layout_table[i].name);
+        report_word(out, layout_table[i].name);
     for (int i = 0; i < ENCODING_COUNT; i++)
-        say_word(out, encoding_table[i].name);
+        report_word(out, encoding_table[i].name);
     for (size_t i = 0; i < sizeof schemas / sizeof *schemas; i++) {
         char *schema = matc_schema(schemas[i]);
         say(out, "schema", schema);
@@ -138,14 +138,15 @@ static char *everything(const char *folder)
         char *text = file_read(found.paths[i], &size, &why);
         assert_non_null(text);
         const MatcOptions options = quick();
-        say_document(out, found.paths[i], text, size);
+        report_document(out, found.paths[i], text, size);
         if (strstr(found.paths[i], "/conversions/"))
-            say_auto_layout(out, found.paths[i], text, size);
+            report_auto_layout(out, found.paths[i], text, size);
         if (strstr(found.paths[i], "layout"))
-            say_layout(out, found.paths[i], matc_layout_read(found.paths[i], text, size, &options));
+            report_layout(out, found.paths[i],
+                          matc_layout_read(found.paths[i], text, size, &options));
         free(text);
     }
-    say_words(out);
+    report_words(out);
     fclose(out);
     return all;
 }

@@ -16,10 +16,10 @@ static bool says(const char *text, const char *here)
     MatcOptions options;
     matc_options_init(&options);
     MatcDocument *document = matc_read("case.yaml", text, strlen(text), &options);
-    const bool said =
+    const bool reported =
         matc_error_count(document) && strstr(matc_diagnostics(document, MATC_TEXT), here);
     matc_document_free(document);
-    return said;
+    return reported;
 }
 
 /* The i-th document with the row; false: there are no more. */
@@ -82,12 +82,12 @@ static void every_row_is_met_in_a_document(void **state)
     for (int i = 0; i < foreign_count; i++) {
         const ForeignRow *row = &foreign_table[i];
         char text[LONGEST_DOCUMENT];
-        bool said = false;
-        for (int way = 0; !said && write_document(row, way, text); way++)
-            said = says(text, row->group == FOREIGN_TYPE ? "`material: Phong`" : row->here);
-        if (!said)
+        bool reported = false;
+        for (int way = 0; !reported && write_document(row, way, text); way++)
+            reported = says(text, row->group == FOREIGN_TYPE ? "`material: Phong`" : row->here);
+        if (!reported)
             print_error("no message says '%s' of\n%s", row->here, text);
-        faults += !said;
+        faults += !reported;
     }
     print_message("%d rows\n", foreign_count);
     assert_true(foreign_count > 400);

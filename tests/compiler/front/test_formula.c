@@ -253,7 +253,7 @@ static void every_term_is_total(void **state)
 
 /* Proposals for names that are not built in: a local, before and after its value; nothing if all
  * names are far. */
-static void misspelt_names_are_told(void **state)
+static void misspelt_names_are_reported(void **state)
 {
     (void)state;
     static const char *const cases[][2] = {
@@ -355,7 +355,7 @@ int main(void)
         cmocka_unit_test(examples_are_as_they_say),
         cmocka_unit_test(operators_bind_as_in_mathematics),
         cmocka_unit_test(faults_are_told),
-        cmocka_unit_test(misspelt_names_are_told),
+        cmocka_unit_test(misspelt_names_are_reported),
         cmocka_unit_test(every_term_is_total),
         cmocka_unit_test(foreign_names_are_not_ours),
         cmocka_unit_test(hostile_texts_end),

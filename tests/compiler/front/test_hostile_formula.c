@@ -24,11 +24,11 @@ static char *document_of(const char *formula)
 
 /* Every line of a diagnostic that is no source line begins with the document's name, a line and a
  * column. */
-static void assert_placed(const char *said, const char *formula)
+static void assert_placed(const char *reported, const char *formula)
 {
-    for (const char *at = strstr(said, "error: "); at; at = strstr(at + 1, "error: ")) {
+    for (const char *at = strstr(reported, "error: "); at; at = strstr(at + 1, "error: ")) {
         const char *start = at;
-        while (start > said && start[-1] != '\n')
+        while (start > reported && start[-1] != '\n')
             start--;
         int line = 0, column = 0;
         if (sscanf(start, "test.yaml:%d:%d:", &line, &column) != 2 || line < 1 || column < 1)
@@ -43,9 +43,9 @@ static bool attack_document(const char *text, const char *formula)
     MatcDocument *document = read_text(text, &options);
     bool compiled = false;
     if (matc_error_count(document)) {
-        const char *said = matc_diagnostics(document, MATC_TEXT);
-        assert_non_null(strstr(said, "error: "));
-        assert_placed(said, formula);
+        const char *reported = matc_diagnostics(document, MATC_TEXT);
+        assert_non_null(strstr(reported, "error: "));
+        assert_placed(reported, formula);
     } else {
         MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT, &options);
         compiled = matc_ok(program);

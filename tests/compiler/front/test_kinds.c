@@ -123,10 +123,10 @@ static char *errors_of(const ParamRow *row, const char *value, char text[LONGEST
     MatcDocument *document = matc_read("case.yaml", text, strlen(text), &options);
     char *errors = NULL;
     if (matc_error_count(document) > 0) {
-        const char *said = matc_diagnostics(document, MATC_TEXT);
-        errors = malloc(strlen(said) + 1);
+        const char *reported = matc_diagnostics(document, MATC_TEXT);
+        errors = malloc(strlen(reported) + 1);
         assert_non_null(errors);
-        strcpy(errors, said);
+        strcpy(errors, reported);
     }
     matc_document_free(document);
     return errors;

@@ -347,10 +347,10 @@ static void a_phong_becomes_a_principled(void **state)
     static const double tint[] = {1, .5, .5}, reflectance = .05, rough = .5, metal = 0,
                         model = MODEL_Principled, shininess = 4;
     for (size_t i = 0; i < sizeof wholes / sizeof *wholes; i++) {
-        char text[512], *said;
+        char text[512], *reported;
         snprintf(text, sizeof text, wholes[i],
                  "{ material: Phong, specular: [0.8, 0.4, 0.4], shininess: 0.746045, ambient: 1 }");
-        char *values = values_at(text, "", &said);
+        char *values = values_at(text, "", &reported);
         expect_slot(values, "specular", tint, 3);
         expect_slot(values, "reflectance", &reflectance, 1);
         expect_slot(values, "roughness", &rough, 1);
@@ -358,16 +358,16 @@ static void a_phong_becomes_a_principled(void **state)
         expect_slot(values, "model", &model, 1);
         expect_slot(values, "ambient", (double[]){0, 0, 0}, 3);
         expect_slot(values, "shininess", &shininess, 1);
-        assert_non_null(strstr(said, "[-Wmixed_models]"));
+        assert_non_null(strstr(reported, "[-Wmixed_models]"));
         free(values);
-        free(said);
+        free(reported);
     }
-    char *said;
+    char *reported;
     free(values_at("material: AlgorithmSwitch\nguiShader: { material: Phong }\nraytracerShader: { "
                    "material: Principled }\n",
-                   "", &said));
-    assert_string_equal(said, "");
-    free(said);
+                   "", &reported));
+    assert_string_equal(reported, "");
+    free(reported);
 }
 
 /* Layouts that cannot tell a Principled from a Phong. */
@@ -386,12 +386,13 @@ static void layouts_without_the_model_are_doubted(void **state)
                 principled ? "material: Principled\nroughness: 0.25\n" : "material: Phong\n",
                 &options);
             MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT, &options);
-            const char *said = matc_program_diagnostics(program, MATC_TEXT);
-            const bool doubted = strstr(said, "has no place for roughness, reflectance, model: the "
-                                              "surface is lit as a Phong") != NULL;
+            const char *reported = matc_program_diagnostics(program, MATC_TEXT);
+            const bool doubted =
+                strstr(reported, "has no place for roughness, reflectance, model: the "
+                                 "surface is lit as a Phong") != NULL;
             assert_true(matc_ok(program));
             assert_int_equal(doubted, principled && layouts[i].doubted);
-            assert_true(!doubted || strstr(said, "test.yaml:1:11"));
+            assert_true(!doubted || strstr(reported, "test.yaml:1:11"));
             matc_program_free(program);
             matc_document_free(document);
         }
@@ -399,13 +400,13 @@ static void layouts_without_the_model_are_doubted(void **state)
 
 /* Every row is a formula without a fault, every loss is said where it is one, and not where nothing
  * is lost. */
-static void losses_are_said(void **state)
+static void losses_are_reported(void **state)
 {
     (void)state;
     char text[512];
     for (int i = 0; i < loss_count; i++) {
         const ParamRow *param = &param_table[loss_table[i].param];
-        char *said;
+        char *reported;
         const bool specular = strstr(loss_table[i].formula, "useSpecularWorkflow *") != NULL;
         snprintf(text, sizeof text,
                  "material: %s\n%s%s: { param: value, default: [0.5, 0.25, 0.125] }\n%s",
@@ -414,22 +415,22 @@ static void losses_are_said(void **state)
                  param->kind == KIND_glTF                     ? "metallicFactor: 0\n"
                  : strstr(loss_table[i].formula, "metalness") ? "metalness: 1\n"
                                                               : "");
-        free(values_at(text, "", &said));
-        assert_non_null(strstr(said, loss_table[i].what));
-        assert_non_null(strstr(said, param->name));
-        free(said);
+        free(values_at(text, "", &reported));
+        assert_non_null(strstr(reported, loss_table[i].what));
+        assert_non_null(strstr(reported, param->name));
+        free(reported);
     }
     for (int kind = 0; kind < KIND_COUNT; kind++) {
-        char *said;
+        char *reported;
         bool foreign = false;
         for (int i = 0; i < translation_count; i++)
             foreign |= translation_table[i].from == (Kind)kind;
         snprintf(text, sizeof text, "material: %s\n", kind_table[kind].name);
         if (!foreign)
             continue;
-        free(values_at(text, "", &said));
-        assert_string_equal(said, "");
-        free(said);
+        free(values_at(text, "", &reported));
+        assert_string_equal(reported, "");
+        free(reported);
     }
 }
 
@@ -442,7 +443,7 @@ int main(void)
         cmocka_unit_test(same_programs),
         cmocka_unit_test(a_phong_becomes_a_principled),
         cmocka_unit_test(layouts_without_the_model_are_doubted),
-        cmocka_unit_test(losses_are_said),
+        cmocka_unit_test(losses_are_reported),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

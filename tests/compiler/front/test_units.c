@@ -257,8 +257,8 @@ static void numbers_of_other_units_are_converted(void **state)
         while (kind < KIND_COUNT && strcmp(kind_table[kind].name, hint->kind) != 0)
             kind++;
         assert_int_equal(count_unusual(&kind_table[kind], hint->param, hint->number, message), 1);
-        const char *said = strchr(message, ';');
-        assert_string_equal(said ? said : "", hint->hint ? hint->hint : "");
+        const char *reported = strchr(message, ';');
+        assert_string_equal(reported ? reported : "", hint->hint ? hint->hint : "");
     }
 }
 

@@ -57,13 +57,14 @@ static void settings_count(void **state)
         options.warnings = c->settings;
         assert_null(matc_options_fault(&options));
         MatcDocument *document = matc_read("doubtful.yaml", doubtful, strlen(doubtful), &options);
-        const char *said = matc_diagnostics(document, MATC_JSON);
+        const char *reported = matc_diagnostics(document, MATC_JSON);
         print_message("%s\n", c->settings ? c->settings : "none");
-        assert_int_equal(count(said, "\"kind\": \"unordered_items\""), c->unordered);
-        assert_int_equal(count(said, "\"kind\": \"unquoted_color\""), c->unquoted);
+        assert_int_equal(count(reported, "\"kind\": \"unordered_items\""), c->unordered);
+        assert_int_equal(count(reported, "\"kind\": \"unquoted_color\""), c->unquoted);
         assert_int_equal(matc_material_count(document), c->fine);
         assert_int_equal(matc_error_count(document) == 0, c->fine);
-        assert_int_equal(count(said, "\"severity\": \"error\", \"kind\": \"unquoted_color\"") > 0,
+        assert_int_equal(count(reported, "\"severity\": \"error\", \"kind\": \"unquoted_color\"") >
+                             0,
                          c->errors);
         const char *text = matc_diagnostics(document, MATC_TEXT);
         assert_int_equal(count(text, "[-Werror=unquoted_color]") > 0, c->errors);
@@ -148,9 +149,9 @@ static void advice_says_both_readings(void **state)
     matc_options_init(&options);
     options.warnings = "linear_colors";
     MatcDocument *document = matc_read("a.yaml", text, sizeof text - 1, &options);
-    const char *said = matc_diagnostics(document, MATC_TEXT);
-    const char *advice = strstr(said, "a.yaml:2:10: note: "), *third = strstr(said, "a.yaml:3:"),
-               *fourth = strstr(said, "a.yaml:4:");
+    const char *reported = matc_diagnostics(document, MATC_TEXT);
+    const char *advice = strstr(reported, "a.yaml:2:10: note: "),
+               *third = strstr(reported, "a.yaml:3:"), *fourth = strstr(reported, "a.yaml:4:");
     assert_non_null(advice);
     assert_non_null(strstr(advice, "'#808080' is [0.502, 0.502, 0.502]; write `colors: srgb`"));
     assert_non_null(
@@ -170,8 +171,9 @@ static void advice_goes_before_later_warnings(void **state)
     matc_options_init(&options);
     options.warnings = "linear_colors";
     MatcDocument *document = matc_read("a.yaml", text, sizeof text - 1, &options);
-    const char *said = matc_diagnostics(document, MATC_TEXT);
-    const char *advice = strstr(said, "a.yaml:2:9: note: "), *warning = strstr(said, "a.yaml:4:");
+    const char *reported = matc_diagnostics(document, MATC_TEXT);
+    const char *advice = strstr(reported, "a.yaml:2:9: note: "),
+               *warning = strstr(reported, "a.yaml:4:");
     assert_true(advice && warning);
     assert_true(advice < warning);
     matc_document_free(document);
@@ -199,9 +201,9 @@ static void advice_is_by_file(void **state)
     options.warnings = "linear_colors";
     options.read_file = palette_file;
     MatcDocument *document = matc_read("a.yaml", text, sizeof text - 1, &options);
-    const char *said = matc_diagnostics(document, MATC_TEXT);
-    assert_int_equal(count(said, "note: "), 1);
-    assert_non_null(strstr(said, "palette.yaml:1:15: note: hex colours"));
+    const char *reported = matc_diagnostics(document, MATC_TEXT);
+    assert_int_equal(count(reported, "note: "), 1);
+    assert_non_null(strstr(reported, "palette.yaml:1:15: note: hex colours"));
     matc_document_free(document);
 }
 
@@ -219,10 +221,10 @@ static void each_file_is_advised(void **state)
     options.read_file = palette_file;
     for (int i = 0; i < 2; i++) {
         MatcDocument *document = matc_read("a.yaml", texts[i], strlen(texts[i]), &options);
-        const char *said = matc_diagnostics(document, MATC_TEXT);
-        assert_int_equal(count(said, "note: hex colours"), 2);
-        assert_non_null(strstr(said, "palette.yaml:1:15: note: "));
-        assert_non_null(strstr(said, "a.yaml:4:"));
+        const char *reported = matc_diagnostics(document, MATC_TEXT);
+        assert_int_equal(count(reported, "note: hex colours"), 2);
+        assert_non_null(strstr(reported, "palette.yaml:1:15: note: "));
+        assert_non_null(strstr(reported, "a.yaml:4:"));
         matc_document_free(document);
     }
 }

@@ -171,7 +171,7 @@ static void test_said_about_colours(void **state)
     static const struct {
         const char *name, *data;
         size_t size;
-    } said[] = {
+    } reported[] = {
         {"gAMA", CHUNK("\x00\x01\x86\xA0")}, /* 1: linear */
         {"gAMA", CHUNK("\x00\x00\x27\x10")}, /* 0.1 */
         {"gAMA", CHUNK("\x00\x00\xB1\x8F")}, /* 0.45455 */
@@ -187,10 +187,10 @@ static void test_said_about_colours(void **state)
         {"zTXt", CHUNK("Comment\0\0broken")},
     };
     for (int depth = 8; depth <= 16; depth += 8)
-        for (size_t i = 0; i < sizeof said / sizeof *said; i++) {
+        for (size_t i = 0; i < sizeof reported / sizeof *reported; i++) {
             PictureFile file = {.size = 0};
             put_header(&file, &(Header){1, 1, depth, RGB, false});
-            put_chunk(&file, said[i].name, said[i].data, said[i].size);
+            put_chunk(&file, reported[i].name, reported[i].data, reported[i].size);
             if (depth == 8)
                 put_rows(&file, ROWS("\0\x10\x80\xC0"));
             else

@@ -354,7 +354,7 @@ static void any_rows_are_a_layout(void **state)
 }
 
 /* Rows that do not fit, or have bits that their encoding lacks, are reported. */
-static void rows_that_do_not_fit_are_told(void **state)
+static void rows_that_do_not_fit_are_reported(void **state)
 {
     (void)state;
     static const FieldRow full[] = {TRIPLE(octahedral, 12, normal), TRIPLE(unorm, 3, diffuse)};
@@ -380,7 +380,7 @@ int main(void)
         cmocka_unit_test(what_is_packed_comes_back),
         cmocka_unit_test(constants_come_back),
         cmocka_unit_test(any_rows_are_a_layout),
-        cmocka_unit_test(rows_that_do_not_fit_are_told),
+        cmocka_unit_test(rows_that_do_not_fit_are_reported),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);
 }

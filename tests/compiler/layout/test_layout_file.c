@@ -186,8 +186,8 @@ static void another_constant_is_told(void **state)
             matc_read("test.yaml", i ? other : same, strlen(i ? other : same), &options);
         MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT, &options);
         assert_true(matc_ok(program));
-        const char *said = matc_program_diagnostics(program, MATC_TEXT);
-        assert_true((strstr(said, "warning: layout k gives back another shininess") != NULL) ==
+        const char *reported = matc_program_diagnostics(program, MATC_TEXT);
+        assert_true((strstr(reported, "warning: layout k gives back another shininess") != NULL) ==
                     (i == 1));
         matc_program_free(program);
         matc_document_free(document);

@@ -119,11 +119,11 @@ static bool auto_loses(const char *path, const char *text)
     fclose(file);
     snprintf(command, sizeof command, "'%s' --layout=auto --no-validate -o /dev/null '%s' 2>&1",
              MATC_PROGRAM, path);
-    FILE *said = popen(command, "r");
+    FILE *reported = popen(command, "r");
     bool loses = false;
-    while (fgets(line, sizeof line, said))
+    while (fgets(line, sizeof line, reported))
         loses |= strstr(line, "case_loses") || strstr(line, "error");
-    return pclose(said) || loses;
+    return pclose(reported) || loses;
 }
 
 static void auto_holds_any_two_and_light(void **state)

@@ -64,7 +64,7 @@ static void shapes_are_seen(void **state)
         "input: { map: UVTransform, scaleU: 8, scaleV: 4 } }, shininess: 0.7 }";
     char error[512] = "";
     MatcOptions compile;
-    MaterialSaid said;
+    MaterialReport reported;
     matc_options_init(&compile);
     MatcDocument *document = matc_read("test.yaml", text, sizeof text - 1, &compile);
     GlContext *gl = gl_open(GL_KIND_osmesa, true, error, sizeof error);
@@ -75,10 +75,10 @@ static void shapes_are_seen(void **state)
             .pictures = {.renderer = {.compile = &compile}},
             .preview = {.shape = (ShapeKind)shape, .width = SIZE, .height = SIZE}};
         MaterialPictures *pictures = material_pictures_open(gl, &options);
-        if (!pictures || !material_pictures_show(pictures, document, 0, &said) ||
+        if (!pictures || !material_pictures_show(pictures, document, 0, &reported) ||
             !scene_pictures_pixels(material_pictures_of(pictures), rgb))
             fail_msg("%s", gl->error);
-        free(said.diagnostics);
+        free(reported.diagnostics);
         material_pictures_close(pictures);
         assert_shows_something(rgb, SIZE);
         assert_true(gl_check(gl, "drawing a picture"));
@@ -99,7 +99,7 @@ static void pictures_do_not_mix(void **state)
     static const int order[] = {0, 1, 2, 1, 0};
     static unsigned char alone[3][BYTES], rgb[BYTES];
     MatcOptions compile;
-    MaterialSaid said;
+    MaterialReport reported;
     char error[512];
     matc_options_init(&compile);
     MatcDocument *document = matc_read("test.yaml", text, sizeof text - 1, &compile);
@@ -112,10 +112,10 @@ static void pictures_do_not_mix(void **state)
         static MaterialPictures *all;
         MaterialPictures *pictures = i < 0 || !all ? material_pictures_open(gl, &options) : all;
         const int material = i < 0 ? i + 3 : order[i];
-        assert_true(pictures && material_pictures_show(pictures, document, material, &said));
+        assert_true(pictures && material_pictures_show(pictures, document, material, &reported));
         assert_true(
             scene_pictures_pixels(material_pictures_of(pictures), i < 0 ? alone[material] : rgb));
-        free(said.diagnostics);
+        free(reported.diagnostics);
         all = i < 0 ? NULL : pictures;
         if (i < 0 || i + 1 == (int)(sizeof order / sizeof *order))
             material_pictures_close(pictures);
@@ -134,7 +134,7 @@ static void faults_are_told(void **state)
 {
     (void)state;
     static const struct {
-        const char *text, *layout, *slot, *said;
+        const char *text, *layout, *slot, *reported;
     } cases[] = {
         {"{ material: Phong }", "compact", "ior", "the layout does not store that slot"},
         {"{ material: Phong }", "unknown", NULL, "error: layout: there is no 'unknown'"},
@@ -142,7 +142,7 @@ static void faults_are_told(void **state)
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         char error[512];
         MatcOptions compile;
-        MaterialSaid said;
+        MaterialReport reported;
         matc_options_init(&compile);
         MatcDocument *document =
             matc_read("test.yaml", cases[i].text, strlen(cases[i].text), &compile);
@@ -153,10 +153,11 @@ static void faults_are_told(void **state)
                                                 .slot = cases[i].slot};
         MaterialPictures *pictures = gl ? material_pictures_open(gl, &options) : NULL;
         assert_non_null(pictures);
-        assert_false(material_pictures_show(pictures, document, 0, &said));
-        if (!strstr(said.diagnostics ? said.diagnostics : said.error, cases[i].said))
-            fail_msg("%s%s", said.diagnostics ? said.diagnostics : "", said.error);
-        free(said.diagnostics);
+        assert_false(material_pictures_show(pictures, document, 0, &reported));
+        if (!strstr(reported.diagnostics ? reported.diagnostics : reported.error,
+                    cases[i].reported))
+            fail_msg("%s%s", reported.diagnostics ? reported.diagnostics : "", reported.error);
+        free(reported.diagnostics);
         material_pictures_close(pictures);
         gl_close(gl);
         matc_document_free(document);

@@ -46,7 +46,7 @@ static void put_body(char text[ROOM], const LayoutRow *row)
     assert_true(size < ROOM);
 }
 
-static void check_case(const LayoutRow *row, int number, float (*said)[4])
+static void check_case(const LayoutRow *row, int number, float (*reported)[4])
 {
     const CaseRow *fields = &row->cases[number];
     for (int slot = 0; slot < SLOT_COUNT; slot++) {
@@ -55,7 +55,7 @@ static void check_case(const LayoutRow *row, int number, float (*said)[4])
         const FixedRow *own = layout_case_fixed(fields, (Slot)slot);
         for (int lane = 0; lane < type_table[slot_table[slot].type].lanes; lane++) {
             const double want = own ? own->value[lane] : slot_table[slot].absent,
-                         is = said[number * SIDE + slot][lane];
+                         is = reported[number * SIDE + slot][lane];
             if (is != (float)want)
                 fail_msg("%s, case %d: %s is %g, not %g", row->name, number, slot_table[slot].name,
                          is, want);
@@ -68,7 +68,7 @@ static void cases_have_what_they_leave_out(void **state)
     (void)state;
     static const char document[] = "material: Phong\n";
     static const Layout layouts[] = {LAYOUT_compact, LAYOUT_integer};
-    static float said[SIDE * SIDE][4];
+    static float reported[SIDE * SIDE][4];
     static char body[ROOM];
     GlContext *gl = frame_context();
     for (int i = 0; i < 2; i++) {
@@ -83,9 +83,9 @@ static void cases_have_what_they_leave_out(void **state)
         put_body(body, row);
         const ScreenPassText text = {.body = {matc_output(program, MATC_UNPACK, NULL), body},
                                      .format = "RGBA32F"};
-        pass_values(gl, &text, SIDE, said);
+        pass_values(gl, &text, SIDE, reported);
         for (int number = 0; number < row->case_count; number++)
-            check_case(row, number, said);
+            check_case(row, number, reported);
         matc_program_free(program);
         matc_document_free(read);
     }
@@ -144,7 +144,7 @@ static void put_random_body(char text[ROOM], const LayoutRow *row)
 }
 
 /* Slots, by column, of random words of each case, by row, as the text for these cases has them. */
-static void read_cases(GlContext *gl, const LayoutRow *row, unsigned cases, float (*said)[4])
+static void read_cases(GlContext *gl, const LayoutRow *row, unsigned cases, float (*reported)[4])
 {
     static const char document[] = "material: Phong\n";
     static char body[ROOM];
@@ -158,7 +158,7 @@ static void read_cases(GlContext *gl, const LayoutRow *row, unsigned cases, floa
     put_random_body(body, row);
     const ScreenPassText text = {.body = {matc_output(program, MATC_UNPACK, NULL), body},
                                  .format = "RGBA32F"};
-    pass_values(gl, &text, SIDE, said);
+    pass_values(gl, &text, SIDE, reported);
     matc_program_free(program);
     matc_document_free(read);
 }

@@ -216,7 +216,7 @@ static void no_point_moves_beyond_its_bound(void **state)
     }
 }
 
-static void what_has_no_bound_is_said(void **state)
+static void what_has_no_bound_is_reported(void **state)
 {
     (void)state;
     static const struct {
@@ -240,13 +240,13 @@ static void what_has_no_bound_is_said(void **state)
         assert_true(document_open_text(&d, cases[i].text));
         MatcProgram *program = matc_compile(d.document, 0, MATC_VERTEX, &d.options);
         const double bound = matc_displacement_bound(program);
-        const bool said =
+        const bool reported =
             strstr(matc_program_diagnostics(program, MATC_TEXT), "unbounded_displacement") != NULL;
         const bool moves =
             strstr(matc_output(program, MATC_VERTEX, NULL), "matc_displacement") != NULL;
-        if (!isfinite(bound) == cases[i].known || said == cases[i].known ||
+        if (!isfinite(bound) == cases[i].known || reported == cases[i].known ||
             moves != cases[i].moves || (bound > 0) != cases[i].moves)
-            fail_msg("%s: bound %g, warned %d, moves %d", cases[i].text, bound, said, moves);
+            fail_msg("%s: bound %g, warned %d, moves %d", cases[i].text, bound, reported, moves);
         matc_program_free(program);
         document_close(&d);
     }
@@ -331,7 +331,7 @@ int main(void)
         cmocka_unit_test(values_and_slopes_are_the_oracles),
         cmocka_unit_test(normals_are_those_of_curved_surfaces),
         cmocka_unit_test(no_point_moves_beyond_its_bound),
-        cmocka_unit_test(what_has_no_bound_is_said),
+        cmocka_unit_test(what_has_no_bound_is_reported),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -169,18 +169,18 @@ static bool says_flat(const char *displacement, const char *derivatives, int opt
     MatcDocument *document = open(displacement, &options);
     MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT, &options);
     assert_true(matc_ok(program));
-    const char *said = matc_program_diagnostics(program, MATC_TEXT);
+    const char *reported = matc_program_diagnostics(program, MATC_TEXT);
     const char *place = *displacement == '{' ? "relief.yaml:2:45" : "relief.yaml:2:38";
-    bool says = !strncmp(said, place, strlen(place)) &&
-                strstr(said, "warning: this displacement rises nowhere");
-    if (!says && *said)
-        fail_msg("%s", said);
+    bool says = !strncmp(reported, place, strlen(place)) &&
+                strstr(reported, "warning: this displacement rises nowhere");
+    if (!says && *reported)
+        fail_msg("%s", reported);
     matc_program_free(program);
     matc_document_free(document);
     return says;
 }
 
-static void what_has_no_slope_is_said(void **state)
+static void what_has_no_slope_is_reported(void **state)
 {
     (void)state;
     static const struct {
@@ -221,7 +221,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(slopes_are_those_of_closed_forms),
         cmocka_unit_test(normals_lean_out_of_their_side),
-        cmocka_unit_test(what_has_no_slope_is_said),
+        cmocka_unit_test(what_has_no_slope_is_reported),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

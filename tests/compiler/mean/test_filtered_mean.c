@@ -23,8 +23,8 @@ static Drawers drawers;
 
 static int places(void)
 {
-    const char *said = getenv("MEAN_PLACES");
-    return said ? atoi(said) : 1;
+    const char *reported = getenv("MEAN_PLACES");
+    return reported ? atoi(reported) : 1;
 }
 
 static int set_up(void **state)

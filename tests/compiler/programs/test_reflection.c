@@ -15,7 +15,7 @@ enum { MOST_SHOWN = 5, LONGEST = 512 };
 
 typedef struct {
     GlContext *core, *old;
-    Facts told, told_vertex, found;
+    Facts reported, reported_vertex, found;
     int programs, facts, dropped, failures;
 } Test;
 
@@ -49,11 +49,11 @@ static void compare(Test *t, const char *where, const Facts *facts, const Facts 
 }
 
 /* A target with locations tells all of them. */
-static void check_told(Test *t, const char *where, const Facts *told)
+static void check_reported(Test *t, const char *where, const Facts *reported)
 {
-    for (int i = 0; i < told->count; i++)
-        if (told->at[i].kind != FACT_system && told->at[i].place == NO_PLACE)
-            fault(t, where, "no place is told", &told->at[i]);
+    for (int i = 0; i < reported->count; i++)
+        if (reported->at[i].kind != FACT_system && reported->at[i].place == NO_PLACE)
+            fault(t, where, "no place is told", &reported->at[i]);
 }
 
 static bool is_bound(const Fact *fact)
@@ -65,7 +65,7 @@ static bool is_bound(const Fact *fact)
 static void check_bindings(Test *t, const char *where)
 {
     const Fact *seen[FACT_ROOM] = {NULL};
-    const Facts *shaders[] = {&t->told, &t->told_vertex};
+    const Facts *shaders[] = {&t->reported, &t->reported_vertex};
     for (int shader = 0; shader < 2; shader++)
         for (int i = 0; i < shaders[shader]->count; i++) {
             const Fact *fact = &shaders[shader]->at[i];
@@ -79,15 +79,15 @@ static void check_bindings(Test *t, const char *where)
 
 /* Facts without the block of uniforms that the vertex program alone has, which displaces by them
  * where the fragment program computes nothing. */
-static Facts without_vertex_block(const Facts *told, const Facts *found, const char *vertex)
+static Facts without_vertex_block(const Facts *reported, const Facts *found, const char *vertex)
 {
     const bool displaces =
         !facts_find(found, FACT_block, BLOCK) && strstr(vertex, "uniform " BLOCK " {");
-    Facts kept = *told;
+    Facts kept = *reported;
     kept.count = 0;
-    for (int i = 0; i < told->count; i++)
-        if (!displaces || strncmp(told->at[i].name, BLOCK, strlen(BLOCK)) != 0)
-            kept.at[kept.count++] = told->at[i];
+    for (int i = 0; i < reported->count; i++)
+        if (!displaces || strncmp(reported->at[i].name, BLOCK, strlen(BLOCK)) != 0)
+            kept.at[kept.count++] = reported->at[i];
     return kept;
 }
 
@@ -98,13 +98,13 @@ static void check_spirv(Test *t, const char *where, const MatcProgram *program)
         (const uint32_t *)(const void *)matc_output(program, MATC_SPIRV, &bytes);
     if (!words || !facts_of_spirv(words, bytes, &t->found))
         fail_msg("%s: no module, or a resource outside of set 0", where);
-    check_told(t, where, &t->told);
-    check_told(t, where, &t->told_vertex);
+    check_reported(t, where, &t->reported);
+    check_reported(t, where, &t->reported_vertex);
     check_bindings(t, where);
     const Facts own =
-        without_vertex_block(&t->told, &t->found, matc_output(program, MATC_VERTEX, NULL));
+        without_vertex_block(&t->reported, &t->found, matc_output(program, MATC_VERTEX, NULL));
     compare(t, where, &own, &t->found, "told, but not in the SPIR-V");
-    compare(t, where, &t->found, &t->told, "in the SPIR-V, but not told");
+    compare(t, where, &t->found, &t->reported, "in the SPIR-V, but not told");
 }
 
 /* The text declares it, though the driver has found no use for it. */
@@ -116,10 +116,10 @@ static bool is_declared(const char *text, const Fact *fact)
 }
 
 /* Inputs that the driver dropped cannot be compared, but stand in the text. */
-static void check_kept(Test *t, const char *where, const Facts *told, const char *text)
+static void check_kept(Test *t, const char *where, const Facts *reported, const char *text)
 {
-    for (int i = 0; i < told->count; i++) {
-        const Fact *fact = &told->at[i];
+    for (int i = 0; i < reported->count; i++) {
+        const Fact *fact = &reported->at[i];
         bool asked = fact->kind == FACT_uniform || fact->kind == FACT_texture ||
                      fact->kind == FACT_attribute;
         if (asked && !facts_find(&t->found, fact->kind, fact->name)) {
@@ -146,12 +146,12 @@ static void check_linked(Test *t, const char *where, const MatcProgram *program,
         fail_msg("%s: %s", where, gl->error);
     facts_of_program(gl, name, load, &t->found);
     gl->DeleteProgram(name);
-    all = t->told;
-    for (int i = 0; i < t->told_vertex.count; i++)
-        all.at[all.count++] = t->told_vertex.at[i];
+    all = t->reported;
+    for (int i = 0; i < t->reported_vertex.count; i++)
+        all.at[all.count++] = t->reported_vertex.at[i];
     compare(t, where, &t->found, &all, "in the linked program, but not told");
-    check_kept(t, where, &t->told, fragment);
-    check_kept(t, where, &t->told_vertex, vertex);
+    check_kept(t, where, &t->reported, fragment);
+    check_kept(t, where, &t->reported_vertex, vertex);
 }
 
 typedef struct {
@@ -176,8 +176,8 @@ static void check(Test *t, const Document *document, int material, const Way *wa
     MatcProgram *program = matc_compile(document->document, material, outputs, &options);
     if (!matc_ok(program))
         fail_msg("%s: %s", where, matc_program_diagnostics(program, MATC_TEXT));
-    assert_true(
-        facts_of_reflection(matc_output(program, MATC_REFLECT, NULL), &t->told, &t->told_vertex));
+    assert_true(facts_of_reflection(matc_output(program, MATC_REFLECT, NULL), &t->reported,
+                                    &t->reported_vertex));
     t->programs++;
     if (located)
         check_spirv(t, where, program);

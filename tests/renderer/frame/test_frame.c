@@ -314,7 +314,7 @@ static void faults(void **state)
 {
     (void)state;
     static const struct {
-        const char *text, *said;
+        const char *text, *reported;
     } cases[] = {
         {"objects: [{ object: Box, material: { material: RGBA, a: .5 } }]\n", NULL},
         {"image: { width: 16384, height: 2 }\nlights: []\n", NULL},
@@ -327,9 +327,9 @@ static void faults(void **state)
         Scene *scene = frame_scene(cases[i].text, &options, &document);
         Renderer *renderer = renderer_open(gl, &(RendererOptions){.compile = &options});
         const bool done = renderer_set_scene(renderer, scene) && renderer_frame(renderer);
-        assert_int_equal(done, cases[i].said == NULL);
-        if (cases[i].said)
-            assert_string_equal(gl->error, cases[i].said);
+        assert_int_equal(done, cases[i].reported == NULL);
+        if (cases[i].reported)
+            assert_string_equal(gl->error, cases[i].reported);
         renderer_close(renderer);
         assert_true(gl_check(gl, "all of it"));
         frame_forget(scene, document);

@@ -30,7 +30,7 @@ static const char text[] =
     "objects: [{ object: Box, material: plain }, { object: Sphere, material: busy }]\n";
 
 /* Message if `units` textures have room, with that layout. */
-static void assert_refused(int units, const char *layout, const char *said)
+static void assert_refused(int units, const char *layout, const char *reported)
 {
     MatcDocument *document;
     MatcOptions options;
@@ -43,7 +43,7 @@ static void assert_refused(int units, const char *layout, const char *said)
     Renderer *renderer = renderer_open(gl, &(RendererOptions){.compile = &options});
     assert_non_null(renderer);
     assert_false(renderer_set_scene(renderer, scene));
-    if (strncmp(gl->error, said, strlen(said)) != 0)
+    if (strncmp(gl->error, reported, strlen(reported)) != 0)
         fail_msg("%s", gl->error);
     renderer_close(renderer);
     gl_close(gl);
@@ -160,7 +160,7 @@ static void shadow_maps(void **state)
     (void)state;
     static const struct {
         int lights, size;
-        const char *said; /* NULL: nothing */
+        const char *reported; /* NULL: nothing */
     } cases[] = {
         {2, 16, NULL},
         {350, 16,
@@ -184,9 +184,9 @@ static void shadow_maps(void **state)
         Scene *scene = frame_scene(scene_text, &options, &document);
         Renderer *renderer = renderer_open(gl, &(RendererOptions){.compile = &options});
         assert_non_null(renderer);
-        assert_int_equal(renderer_set_scene(renderer, scene), !cases[i].said);
-        if (cases[i].said)
-            assert_string_equal(gl->error, cases[i].said);
+        assert_int_equal(renderer_set_scene(renderer, scene), !cases[i].reported);
+        if (cases[i].reported)
+            assert_string_equal(gl->error, cases[i].reported);
         renderer_close(renderer);
         frame_forget(scene, document);
     }

@@ -134,7 +134,7 @@ static void kinds_have_names(void **state)
     assert_false(gl_kind_find("glx", &kind));
 }
 
-static void faults_are_said(void **state)
+static void faults_are_reported(void **state)
 {
     (void)state;
     GlContext *gl = open_context(true);
@@ -184,7 +184,7 @@ int main(int count, char **arguments)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(context_opens),        cmocka_unit_test(two_contexts_take_turns),
         cmocka_unit_test(every_language_draws), cmocka_unit_test(kinds_have_names),
-        cmocka_unit_test(faults_are_said),      cmocka_unit_test(depth_only_is_complete),
+        cmocka_unit_test(faults_are_reported),  cmocka_unit_test(depth_only_is_complete),
     };
     if (count < 2 || strcmp(arguments[1], "egl") != 0)
         return cmocka_run_group_tests(tests, NULL, NULL);

@@ -68,7 +68,7 @@ static void levels_there_are(void **state)
     FrameVoxelsDrawn d = frame_voxels_drawn(FRAME_VOXELS_SHEETS, 32);
     const MatcOptions options = frame_exact_options();
     static const struct {
-        const char *view, *said;
+        const char *view, *reported;
     } cases[] = {
         {"voxels5", NULL},
         {"voxels6", "there is no view 'voxels6': of 32 voxels the last is voxels5"},
@@ -82,9 +82,9 @@ static void levels_there_are(void **state)
         Renderer *renderer =
             renderer_open(d.gl, &(RendererOptions){.compile = &options, .view = cases[i].view});
         const bool fine = renderer && renderer_set_scene(renderer, d.scene);
-        assert_int_equal(fine, !cases[i].said);
+        assert_int_equal(fine, !cases[i].reported);
         if (!fine)
-            assert_string_equal(d.gl->error, cases[i].said);
+            assert_string_equal(d.gl->error, cases[i].reported);
         renderer_close(renderer);
     }
     frame_voxels_forget(&d);

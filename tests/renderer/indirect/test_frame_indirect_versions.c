@@ -22,7 +22,7 @@ static const char body[] =
 
 /* Draws a frame, and one after it. NULL: it cannot be drawn; said is the reason, from malloc;
  * otherwise the method that draws it. */
-static float *drawn(GlContext *gl, const char *keys, bool twice, char **said)
+static float *drawn(GlContext *gl, const char *keys, bool twice, char **reported)
 {
     const MatcOptions options = frame_exact_options();
     char text[TEXT];
@@ -35,7 +35,7 @@ static float *drawn(GlContext *gl, const char *keys, bool twice, char **said)
     const bool fine = renderer && rgba && renderer_set_scene(renderer, scene) &&
                       renderer_frame(renderer) && (!twice || renderer_frame(renderer)) &&
                       renderer_read(renderer, rgba);
-    *said = fine ? renderer_stats(renderer) : strdup(gl->error);
+    *reported = fine ? renderer_stats(renderer) : strdup(gl->error);
     renderer_close(renderer);
     frame_forget(scene, document);
     if (!fine)
@@ -78,27 +78,27 @@ static void pictures_are_the_same(void **state)
                                        "method: march, march: picture, resolution: half"};
     enum { KEYS = sizeof keys / sizeof *keys };
     float *right[KEYS];
-    char *said;
+    char *reported;
     GlContext *gl = frame_context();
     assert_true(gl->major * 10 + gl->minor >= 43);
     for (int i = 0; i < KEYS; i++) {
-        right[i] = drawn(gl, keys[i], true, &said);
-        assert_true(right[i] && strstr(said, "in compute"));
-        free(said);
+        right[i] = drawn(gl, keys[i], true, &reported);
+        assert_true(right[i] && strstr(reported, "in compute"));
+        free(reported);
     }
     gl_close(gl);
     for (int version = 0; version < 2; version++) {
         gl = older(version);
         assert_true(gl->major * 10 + gl->minor < 43);
         for (int i = 0; i < (version ? 1 : KEYS); i++) {
-            float *rgba = drawn(gl, keys[i], true, &said);
+            float *rgba = drawn(gl, keys[i], true, &reported);
             if (!rgba)
-                fail_msg("%s", said);
+                fail_msg("%s", reported);
             const double off = apart(rgba, right[i]);
             print_message("OpenGL %s, %s: %.2g off\n", versions[version], keys[i], off);
-            assert_true(off < 1e-4 && !strstr(said, "in compute"));
+            assert_true(off < 1e-4 && !strstr(reported, "in compute"));
             free(rgba);
-            free(said);
+            free(reported);
         }
         gl_close(gl);
     }
@@ -112,17 +112,17 @@ static void voxels_are_missed_by_name(void **state)
     static const char *const keys[] = {"method: voxels", "method: hybrid",
                                        "method: march, march: voxels"};
     GlContext *gl = older(0);
-    char *said;
+    char *reported;
     for (int i = 0; i < 3; i++) {
-        assert_null(drawn(gl, keys[i], false, &said));
-        print_message("%s: %s\n", keys[i], said);
-        assert_non_null(strstr(said, "voxels take OpenGL 4.3, and the driver has 3.3"));
-        free(said);
+        assert_null(drawn(gl, keys[i], false, &reported));
+        print_message("%s: %s\n", keys[i], reported);
+        assert_non_null(strstr(reported, "voxels take OpenGL 4.3, and the driver has 3.3"));
+        free(reported);
     }
-    float *rgba = drawn(gl, "method: auto", false, &said);
-    assert_true(rgba && strstr(said, "by the method screen, as voxels take OpenGL 4.3"));
+    float *rgba = drawn(gl, "method: auto", false, &reported);
+    assert_true(rgba && strstr(reported, "by the method screen, as voxels take OpenGL 4.3"));
     free(rgba);
-    free(said);
+    free(reported);
     gl_close(gl);
 }
 

@@ -43,7 +43,7 @@ static double most_open(const FrameVoxelsDrawn *d)
 {
     VoxelPoints points;
     VoxelPointsPass pass;
-    static float said[WIDE * HIGH][4];
+    static float reported[WIDE * HIGH][4];
     double most = 0;
     assert_true(voxel_points_make(WIDE, HIGH, ACROSS, &points));
     for (int i = 0; i < WIDE * HIGH; i++) {
@@ -60,9 +60,9 @@ static double most_open(const FrameVoxelsDrawn *d)
     if (!voxel_points_open(d->renderer, &points, (const char *[2]){voxel_points_ray, NULL}, &pass))
         fail_msg("%s", d->gl->error);
     voxel_points_run(d->renderer, &pass, 4 * SIZE, 1e-3f);
-    assert_true(framebuffer_read(d->gl, &pass.target, 0, said[0]));
+    assert_true(framebuffer_read(d->gl, &pass.target, 0, reported[0]));
     for (int i = 0; i < WIDE * HIGH; i++)
-        most = fmax(most, said[i][0]);
+        most = fmax(most, reported[i][0]);
     voxel_points_close(d->renderer, &pass);
     voxel_points_free(&points);
     return most;

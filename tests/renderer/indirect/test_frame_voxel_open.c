@@ -25,7 +25,7 @@ enum { WIDE = 96, HIGH = 72, PIXELS = WIDE * HIGH, ACROSS = 16, TEXT = 2048 };
     ".001] } }\n"
 static const char *mesh_file, *mesh_lift = "0";
 static VoxelPoints points;
-static float said[PIXELS][4];
+static float reported[PIXELS][4];
 static double truth[PIXELS];
 
 typedef struct {
@@ -114,7 +114,7 @@ static void by_voxels(const Place *p, double off)
         fail_msg("%s", p->gl->error);
     voxel_points_run(p->renderer, &pass, (float)(p->radius / p->renderer->voxels->grid.edge),
                      (float)off);
-    assert_true(framebuffer_read(p->gl, &pass.target, 0, said[0]));
+    assert_true(framebuffer_read(p->gl, &pass.target, 0, reported[0]));
     voxel_points_close(p->renderer, &pass);
 }
 
@@ -129,10 +129,10 @@ static Result compare(void)
     for (int i = 0; i < PIXELS; i++) {
         if (points.texels[i][0][3] == 0)
             continue;
-        const double off = said[i][0] - truth[i];
+        const double off = reported[i][0] - truth[i];
         result.error += off * off;
         result.bias += off;
-        result.steps += said[i][1];
+        result.steps += reported[i][1];
         count++;
     }
     assert_true(count > PIXELS / 3);

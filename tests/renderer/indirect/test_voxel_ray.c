@@ -45,7 +45,7 @@ static const char by_steps[] =
 /* Texels of a ray: from and far, way. */
 typedef float Ray[2][4];
 static Ray rays[RAYS];
-static float said[2][RAYS][4];
+static float reported[2][RAYS][4];
 
 static uint32_t random_state;
 static double random_unit(void)
@@ -295,7 +295,7 @@ static Count compare(const VoxelWords *words)
 {
     Count count = {0};
     for (int i = 0; i < RAYS; i++) {
-        const float *fast = said[0][i], *slow = said[1][i];
+        const float *fast = reported[0][i], *slow = reported[1][i];
         const int at[3] = {(int)fast[1] % 1024, (int)fast[1] / 1024, (int)fast[2]};
         VoxelMet met;
         count.met += fast[0] >= 0;
@@ -322,8 +322,8 @@ static void try_rays(GlContext *gl, Filling kind, const VoxelWords *words, bool 
             hostile_ray(i, size, rays[i]);
         else
             random_ray(size, i % 4 == 0, rays[i]);
-    run(gl, size, render_text_voxel_ray, by_bricks, said[0]);
-    run(gl, size, render_text_voxel_walk, by_voxels, said[1]);
+    run(gl, size, render_text_voxel_ray, by_bricks, reported[0]);
+    run(gl, size, render_text_voxel_walk, by_voxels, reported[1]);
     const Count count = compare(words);
     print_message("%3d %-7s %s: %4d of %d meet, %d apart; in double %d wrong, %d at an edge; %.1f "
                   "bricks a ray\n",
@@ -383,13 +383,13 @@ static void marches_look_at_even_places(void **state)
     random_state = 9;
     for (int i = 0; i < RAYS; i++)
         random_ray(64, i % 4 == 0, rays[i]);
-    run(gl, 64, render_text_voxel_march, by_steps, said[0]);
+    run(gl, 64, render_text_voxel_march, by_steps, reported[0]);
     for (int i = 0; i < RAYS; i++) {
         bool near_face = false;
         const int step = march(&words, (const float(*)[4])rays[i], &near_face);
         if (near_face)
             continue;
-        assert_true(said[0][i][0] == (step ? (step + .25f) / 16 : -1));
+        assert_true(reported[0][i][0] == (step ? (step + .25f) / 16 : -1));
         met += step > 0;
         compared++;
     }

@@ -105,17 +105,17 @@ static void random_case(double exponent, CaseTexels t)
 }
 
 /* Values of the GLSL for CASES cases: x the cosine's integral, y the lobe's. */
-static void run(GlContext *gl, const CaseTexels *cases, bool compute, float (*said)[4])
+static void run(GlContext *gl, const CaseTexels *cases, bool compute, float (*reported)[4])
 {
     const TextureSpec texture = {
         .width = WIDE * TEXELS, .height = HIGH, .lanes = 4, .floats = cases[0][0]};
     const ScreenPassText text = {
         .body = {render_text_light_area, body}, .format = "RGBA32F", .compute = compute};
-    frame_cases(gl, &text, &texture, (const int[]){WIDE, HIGH}, said[0]);
+    frame_cases(gl, &text, &texture, (const int[]){WIDE, HIGH}, reported[0]);
 }
 
 static CaseTexels cases[CASES];
-static float said[CASES][4];
+static float reported[CASES][4];
 
 /* The most that its light could be: where it faces the surface, the lobe is all on it, or it fills
  * all the lobe. */
@@ -139,11 +139,11 @@ static void by_exponent(void **state)
         random_state = 7;
         for (int i = 0; i < CASES; i++)
             random_case(exponents[e], cases[i]);
-        run(gl, (const CaseTexels *)cases, e % 2, said);
+        run(gl, (const CaseTexels *)cases, e % 2, reported);
         for (int i = 0; i < CASES; i += 1 + exponents[e] / 500) {
             const AreaCase c = case_of((const float(*)[4])cases[i]);
-            const double cosine = fabs(said[i][0] - area_lambert(&c)),
-                         moment = fabs(said[i][1] - area_moment(&c));
+            const double cosine = fabs(reported[i][0] - area_lambert(&c)),
+                         moment = fabs(reported[i][1] - area_moment(&c));
             off[0] = fmax(off[0], fmax(cosine - ROUNDING, 0) / most_of(&c, 1));
             off[1] = fmax(off[1], moment / lobe);
             off[2] = fmax(off[2], fmax(moment - ROUNDING, 0) / most_of(&c, lobe));
@@ -167,14 +167,14 @@ static void by_triangles(void **state)
     random_state = 11;
     for (int i = 0; i < CASES; i++)
         random_case(exponents[i / EACH % 8], cases[i]);
-    run(gl, (const CaseTexels *)cases, true, said);
+    run(gl, (const CaseTexels *)cases, true, reported);
     for (int i = 0; i < 8 * EACH; i++) {
         const AreaCase c = case_of((const float(*)[4])cases[i]);
         const double integral = area_integral(&c), k = c.exponent;
         if (k == floor(k))
             off[0] = fmax(off[0], fabs((k > 0 ? area_moment(&c) : area_lambert(&c)) - integral));
-        off[1] = fmax(off[1],
-                      fmax(fabs(said[i][1] - integral) - ROUNDING, 0) / most_of(&c, 2 / (k + 2)));
+        off[1] = fmax(off[1], fmax(fabs(reported[i][1] - integral) - ROUNDING, 0) /
+                                  most_of(&c, 2 / (k + 2)));
     }
     print_message("moments are %.1e off the sum over triangles, the GLSL %.1e\n", off[0], off[1]);
     assert_true(off[0] <= 1e-7);
@@ -199,11 +199,11 @@ static void closed_form(void **state)
         put((double[]){0, 0, 1}, cases[i][3]);
         put((double[]){0, 0, 1}, cases[i][4]);
     }
-    run(gl, (const CaseTexels *)cases, true, said);
+    run(gl, (const CaseTexels *)cases, true, reported);
     for (int i = 0; i < HALVES; i++) {
         const double x = halves[i] / sqrt(1 + halves[i] * halves[i]),
                      share = 4 / AREA_PI * x * atan(x);
-        assert_true(fabs(said[i][0] - share) <= 1e-5 * share);
+        assert_true(fabs(reported[i][0] - share) <= 1e-5 * share);
     }
     gl_close(gl);
 }
@@ -242,11 +242,11 @@ static void stable(void **state)
         get_unit((const float *)t[4], axis);
         put(axis, t[4]);
     }
-    run(gl, (const CaseTexels *)cases, true, said);
+    run(gl, (const CaseTexels *)cases, true, reported);
     for (int i = 0; i < CASES; i++)
         for (int k = 0; k < 2; k++)
-            if (!(said[i][k] >= 0 && said[i][k] <= 1.0001f))
-                fail_msg("case %d: %g %g", i, said[i][0], said[i][1]);
+            if (!(reported[i][k] >= 0 && reported[i][k] <= 1.0001f))
+                fail_msg("case %d: %g %g", i, reported[i][0], reported[i][1]);
     gl_close(gl);
 }
 

@@ -212,30 +212,30 @@ static Case cases[CASES];
 static float in[CASES][IN][4], out[CASES][OUT][4];
 
 /* Diffuse light at a patch. */
-static double linear_of(const Case *c, const Patch *p, float (*said)[4])
+static double linear_of(const Case *c, const Patch *p, float (*reported)[4])
 {
-    double sum = said[0][2];
+    double sum = reported[0][2];
     for (int i = 0; i < 3; i++)
-        sum += said[1][i] * p->at[i] + said[2][i] * (p->mirror[i] - c->view[i]);
+        sum += reported[1][i] * p->at[i] + reported[2][i] * (p->mirror[i] - c->view[i]);
     return sum;
 }
 
 /* The greatest share of the bound that gloss takes; every patch is within it, and the most is the
  * most. Less than 0: it isn't expanded. */
-static double check_gloss(const Case *c, float (*said)[4])
+static double check_gloss(const Case *c, float (*reported)[4])
 {
     const double never = 1e29, rounding = 2e-6 * (1 + c->exponent);
     double share = -1;
     for (int i = 0; i < SURFACES; i++) {
         const double gloss = gloss_of(c, &c->patches[i]),
-                     off = fabs(gloss - linear_of(c, &c->patches[i], said));
-        assert_true(gloss <= said[0][0] * (1 + rounding) + 1e-7);
-        if (said[0][1] > never)
+                     off = fabs(gloss - linear_of(c, &c->patches[i], reported));
+        assert_true(gloss <= reported[0][0] * (1 + rounding) + 1e-7);
+        if (reported[0][1] > never)
             continue;
-        if (!(off <= said[0][1] + rounding))
+        if (!(off <= reported[0][1] + rounding))
             fail_msg("exponent %g, ratio %g: off by %g, and the bound is %g", c->exponent, c->ratio,
-                     off, said[0][1]);
-        share = fmax(share, fmax(off - rounding, 0) / said[0][1]);
+                     off, reported[0][1]);
+        share = fmax(share, fmax(off - rounding, 0) / reported[0][1]);
     }
     return share;
 }

@@ -161,12 +161,12 @@ static double quantile(const Judged *judged, double share)
 
 /* Whether a ball is Cycles': each lane; all light; and the brightest, which is what facets reflect
  * once, of smooth ones: of rough ones Cycles' noise. */
-static bool agrees(const Judged *judged, int ball, bool told)
+static bool agrees(const Judged *judged, int ball, bool reported)
 {
     static const double all[] = {.005, .05, .08, .12}, most[] = {.02, .02, 9, 9};
     const double more = judged->here / judged->there - 1,
                  brighter = judged->brightest[0] / judged->brightest[1] - 1;
-    if (told)
+    if (reported)
         print_message("%5.2f %% more light, the brightest %5.2f %%; off by %.2f, 99 %% by %.2f of "
                       "what may be; %d lanes\n",
                       100 * more, 100 * brighter, quantile(judged, .5), quantile(judged, .99),

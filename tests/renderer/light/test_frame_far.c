@@ -93,10 +93,10 @@ static void buffers_are_counted(void **state)
         assert_int_equal(renderer_pixel_bytes(renderer), others + 4);
         if (renderer_tile_height(renderer) > RENDERER_TILE_LEAST)
             assert_true(others * pixels + bytes <= (memories[i] ? memories[i] : RENDERER_MEMORY));
-        char *graph = frame_graph(renderer), said[128];
-        snprintf(said, sizeof said, "\nfar two buffers 4: %zu bytes for blocks of 32 x 32\n",
-                 bytes);
-        assert_non_null(strstr(graph, said));
+        char *graph = frame_graph(renderer), reported[128];
+        snprintf(reported, sizeof reported,
+                 "\nfar two buffers 4: %zu bytes for blocks of 32 x 32\n", bytes);
+        assert_non_null(strstr(graph, reported));
         free(graph);
         renderer_close(renderer);
     }

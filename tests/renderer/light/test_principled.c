@@ -90,21 +90,21 @@ static const char areas[] =
     "reflect(-v, n), exponent);\n"
     "    return vec4(areaOfSide(light, side).x, areaOfSide(light, other).x, 0.0, 1.0); }\n";
 
-static void run_texts(GlContext *gl, const char *const texts[7], float (*said)[4])
+static void run_texts(GlContext *gl, const char *const texts[7], float (*reported)[4])
 {
     const ScreenPassText text = {
         .body = {texts[0], texts[1], texts[2], texts[3], texts[4], texts[5], texts[6]},
         .format = "RGBA32F"};
-    pass_values(gl, &text, SIDE, said);
+    pass_values(gl, &text, SIDE, reported);
 }
 
-static void run(GlContext *gl, const char *body, float (*said)[4])
+static void run(GlContext *gl, const char *body, float (*reported)[4])
 {
     run_texts(gl,
               (const char *const[]){
                   head, surface_model_principled.text, surface_model_principled.more[0],
                   surface_model_principled.more[1], surface_model_principled.more[2], tools, body},
-              said);
+              reported);
 }
 
 static double rough_of(int y) { return .0316227766 + .9683772 * y / (SIDE - 1); }
@@ -114,15 +114,15 @@ static double varied(int i, double step) { return fmod(.5 + step * i, 1); }
 static void albedos_are_fitted(void **state)
 {
     (void)state;
-    static float said[SIDE * SIDE][4];
+    static float reported[SIDE * SIDE][4];
     double worst[2] = {0};
     GlContext *gl = frame_context();
-    run(gl, fits, said);
+    run(gl, fits, reported);
     for (int i = 0; i < SIDE * SIDE; i++) {
         double want[2];
         lobe_albedo(cosine_of(i % SIDE), pow(rough_of(i / SIDE), 2), want);
         for (int k = 0; k < 2; k++)
-            worst[k] = fmax(worst[k], fabs(said[i][k] - want[k]));
+            worst[k] = fmax(worst[k], fabs(reported[i][k] - want[k]));
     }
     gl_close(gl);
     print_message("albedos: within %.4f and %.4f\n", worst[0], worst[1]);
@@ -166,10 +166,10 @@ static double lobe_of(const Case *c, double cosine, double l, double turn)
 static void lobes_are_microfacets(void **state)
 {
     (void)state;
-    static float said[SIDE * SIDE][4];
+    static float reported[SIDE * SIDE][4];
     double worst = 0;
     GlContext *gl = frame_context();
-    run(gl, lobes, said);
+    run(gl, lobes, reported);
     /* rows above the first, whose lobe is narrower than floats of the directions */
     for (int i = SIDE; i < SIDE * SIDE; i += 3) {
         const double base[3] = {varied(i, .618), varied(i, .382), .9},
@@ -179,7 +179,7 @@ static void lobes_are_microfacets(void **state)
             const Case c = {base[lane], tint[lane], varied(i, .733), rough_of(i / SIDE),
                             .3 * varied(i, .137)};
             const double want = lobe_of(&c, cosine_of(i % SIDE), .05 + .9 * varied(i, .5701), turn);
-            worst = fmax(worst, fabs(said[i][lane] - want) / (.25 + want));
+            worst = fmax(worst, fabs(reported[i][lane] - want) / (.25 + want));
         }
     }
     gl_close(gl);
@@ -190,16 +190,16 @@ static void lobes_are_microfacets(void **state)
 static void white_sends_all(void **state)
 {
     (void)state;
-    static float said[SIDE * SIDE][4];
+    static float reported[SIDE * SIDE][4];
     double least[3] = {2, 2, 2}, most[3] = {0}, colored = 0;
     GlContext *gl = frame_context();
-    run(gl, furnace, said);
+    run(gl, furnace, reported);
     for (int i = 0; i < SIDE * SIDE; i++) {
         for (int k = 0; k < 3; k++) {
-            least[k] = fmin(least[k], (double)said[i][k]);
-            most[k] = fmax(most[k], (double)said[i][k]);
+            least[k] = fmin(least[k], (double)reported[i][k]);
+            most[k] = fmax(most[k], (double)reported[i][k]);
         }
-        colored = fmax(colored, (double)said[i][3]);
+        colored = fmax(colored, (double)reported[i][3]);
     }
     gl_close(gl);
     for (int k = 0; k < 3; k++)
@@ -213,13 +213,13 @@ static void white_sends_all(void **state)
 static void light_and_eye_change_places(void **state)
 {
     (void)state;
-    static float said[SIDE * SIDE][4];
+    static float reported[SIDE * SIDE][4];
     GlContext *gl = frame_context();
-    run(gl, turned, said);
-    lobe_changes_places(said, SIDE * SIDE);
-    run(gl, around, said);
+    run(gl, turned, reported);
+    lobe_changes_places(reported, SIDE * SIDE);
+    run(gl, around, reported);
     gl_close(gl);
-    lobe_is_white_around(said, SIDE * SIDE);
+    lobe_is_white_around(reported, SIDE * SIDE);
 }
 
 /* The share of all that GGX sends that comes from the parallelogram, by visible facets (Heitz
@@ -270,18 +270,18 @@ static double share_of_area(int i)
 static void parallelograms_are_integrals(void **state)
 {
     (void)state;
-    static float said[SIDE * SIDE][4];
+    static float reported[SIDE * SIDE][4];
     double worst[2] = {0}, squares[2] = {0};
     GlContext *gl = frame_context();
     run_texts(gl,
               (const char *const[]){head, render_text_light_area, surface_model_principled.text,
                                     tools, areas, NULL, NULL},
-              said);
+              reported);
     gl_close(gl);
     for (int i = 0; i < SIDE * SIDE; i++) {
         const double want = share_of_area(i);
         for (int k = 0; k < 2; k++) {
-            const double error = fabs((double)said[i][k] - want);
+            const double error = fabs((double)reported[i][k] - want);
             worst[k] = fmax(worst[k], error);
             squares[k] += error * error / (SIDE * SIDE);
         }
@@ -296,7 +296,7 @@ static void parallelograms_are_integrals(void **state)
 static void stands_behind_unpacking(void **state)
 {
     (void)state;
-    static float said[SIDE * SIDE][4];
+    static float reported[SIDE * SIDE][4];
     /* the last with the one case that the material takes */
     static const char *const layouts[] = {"compact", "integer", "compact"};
     static const char text[] = "material: Principled\nbaseColor: 1\n";
@@ -326,11 +326,11 @@ static void stands_behind_unpacking(void **state)
                                         surface_model_principled.more[0],
                                         surface_model_principled.more[1],
                                         surface_model_principled.more[2], texts[1], body},
-                  said);
+                  reported);
         gl_close(gl);
         matc_program_free(program);
         matc_document_free(document);
-        assert_true(fabs((double)said[0][0] - 1) < .01);
+        assert_true(fabs((double)reported[0][0] - 1) < .01);
     }
 }
 

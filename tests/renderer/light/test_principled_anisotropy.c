@@ -135,14 +135,14 @@ static const char *chunk(const char *name)
     return "";
 }
 
-static void run(GlContext *gl, const char *body, float (*said)[4])
+static void run(GlContext *gl, const char *body, float (*reported)[4])
 {
     const SurfaceModel *model = &surface_model_principled;
     const ScreenPassText text = {.body = {head, chunk("anisotropyStored"), model->text,
                                           model->more[0], model->more[1], model->more[2], tools,
                                           body},
                                  .format = "RGBA32F"};
-    pass_values(gl, &text, SIDE, said);
+    pass_values(gl, &text, SIDE, reported);
 }
 
 /* A pixel's case, in double. */
@@ -222,17 +222,17 @@ static void integrate(const Pixel *p, double found[2])
 static void fits_are_integrals(void **state)
 {
     (void)state;
-    static float said[SIDE * SIDE][4];
+    static float reported[SIDE * SIDE][4];
     double worst[2] = {0};
     GlContext *gl = frame_context();
-    run(gl, fits, said);
+    run(gl, fits, reported);
     gl_close(gl);
     for (int i = 0; i < SIDE * SIDE; i++) {
         const Pixel p = pixel_of(i);
         double found[2];
         integrate(&p, found);
         for (int k = 0; k < 2; k++)
-            worst[k] = fmax(worst[k], fabs((double)said[i][k] - found[k]));
+            worst[k] = fmax(worst[k], fabs((double)reported[i][k] - found[k]));
     }
     print_message("what is lost: within %.4f, what grazes: %.4f\n", worst[0], worst[1]);
     assert_true(worst[0] < .012 && worst[1] < .007);
@@ -241,22 +241,23 @@ static void fits_are_integrals(void **state)
 static void lobes_are_microfacets(void **state)
 {
     (void)state;
-    static float said[SIDE * SIDE][4];
+    static float reported[SIDE * SIDE][4];
     double worst = 0;
     GlContext *gl = frame_context();
-    run(gl, lobes, said);
+    run(gl, lobes, reported);
     gl_close(gl);
     for (int i = 2 * SIDE; i < SIDE * SIDE;
          i++) { /* rows above the first, whose lobes are narrower than floats of the directions */
         const Pixel p = pixel_of(i);
-        const double l[3] = {(double)said[i][1], (double)said[i][2], (double)said[i][3]};
+        const double l[3] = {(double)reported[i][1], (double)reported[i][2],
+                             (double)reported[i][3]};
         double h[3] = {p.eye[0] + l[0], p.eye[1] + l[1], p.eye[2] + l[2]};
         const double size = sqrt(dot(h, h));
         for (int k = 0; k < 3; k++)
             h[k] /= size;
         const double want =
             PI * distribution(&p, h) / (1 + masking(&p, p.eye) + masking(&p, l)) / (4 * p.eye[2]);
-        worst = fmax(worst, fabs((double)said[i][0] - want) / (.25 + want));
+        worst = fmax(worst, fabs((double)reported[i][0] - want) / (.25 + want));
     }
     print_message("lobes: within %.1e\n", worst);
     assert_true(worst < .002);
@@ -265,15 +266,15 @@ static void lobes_are_microfacets(void **state)
 static void white_sends_all(void **state)
 {
     (void)state;
-    static float said[SIDE * SIDE][4];
+    static float reported[SIDE * SIDE][4];
     double least[3] = {2, 2, 2}, most[4] = {0};
     GlContext *gl = frame_context();
-    run(gl, furnace, said);
+    run(gl, furnace, reported);
     gl_close(gl);
     for (int i = 0; i < SIDE * SIDE; i++)
         for (int k = 0; k < 4; k++) {
-            least[k % 3] = k < 3 ? fmin(least[k], (double)said[i][k]) : least[k % 3];
-            most[k] = fmax(most[k], (double)said[i][k]);
+            least[k % 3] = k < 3 ? fmin(least[k], (double)reported[i][k]) : least[k % 3];
+            most[k] = fmax(most[k], (double)reported[i][k]);
         }
     for (int k = 0; k < 3; k++)
         print_message("white, %s: %.4f to %.4f\n",
@@ -287,26 +288,26 @@ static void white_sends_all(void **state)
 static void light_and_eye_change_places(void **state)
 {
     (void)state;
-    static float said[SIDE * SIDE][4];
+    static float reported[SIDE * SIDE][4];
     GlContext *gl = frame_context();
-    run(gl, turned, said);
+    run(gl, turned, reported);
     gl_close(gl);
-    lobe_changes_places(said, SIDE * SIDE);
+    lobe_changes_places(reported, SIDE * SIDE);
 }
 
 static void directions_come_back(void **state)
 {
     (void)state;
-    static float said[SIDE * SIDE][4];
+    static float reported[SIDE * SIDE][4];
     double worst[3] = {0};
     GlContext *gl = frame_context();
-    run(gl, frames, said);
+    run(gl, frames, reported);
     gl_close(gl);
     for (int i = 0; i < SIDE * SIDE; i++) {
-        worst[0] = fmax(worst[0], (double)said[i][0]);
-        worst[1] = fmax(worst[1], (double)said[i][1]);
-        worst[2] =
-            fmax(worst[2], fmax(fabs((double)said[i][2] - .6), fabs((double)said[i][3] - .4)));
+        worst[0] = fmax(worst[0], (double)reported[i][0]);
+        worst[1] = fmax(worst[1], (double)reported[i][1]);
+        worst[2] = fmax(worst[2],
+                        fmax(fabs((double)reported[i][2] - .6), fabs((double)reported[i][3] - .4)));
     }
     print_message("directions: within %.1e, frames %.1e, strengths %.1e\n", worst[0], worst[1],
                   worst[2]);

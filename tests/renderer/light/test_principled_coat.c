@@ -53,14 +53,14 @@ static const char furnace[] =
     "    }\n"
     "    return vec4(sum / 4096.0, surfaceAmbient(m, vec3(1.0)).x, 0.0, 1.0);\n}\n";
 
-static void run(const char *body, float (*said)[4])
+static void run(const char *body, float (*reported)[4])
 {
     const SurfaceModel *model = &surface_model_principled;
     const ScreenPassText text = {
         .body = {head, model->text, model->more[0], model->more[1], model->more[2], tools, body},
         .format = "RGBA32F"};
     GlContext *gl = frame_context();
-    pass_values(gl, &text, SIDE, said);
+    pass_values(gl, &text, SIDE, reported);
     gl_close(gl);
 }
 
@@ -90,12 +90,12 @@ static double coat_of(double rough, double reflectance, const double n[3], const
 static void coats_lie_as_they_say(void **state)
 {
     (void)state;
-    static float said[SIDE * SIDE][4];
+    static float reported[SIDE * SIDE][4];
     double worst = 0, turned[2] = {0};
     /* angles are fractions of floats up to 400, 3e-5 off: what a lobe of width 0.04 shows as
      * 1e-3 */
     int seen = 0;
-    run(parts, said);
+    run(parts, reported);
     for (int i = 0; i < SIDE * SIDE; i++) {
         double v[3], l[3], n[3];
         toward(.3 + .7 * varied(i, .618), 0, v);
@@ -104,9 +104,9 @@ static void coats_lie_as_they_say(void **state)
         if (dot(n, v) < .05 || fabs(dot(n, l)) < .05)
             continue;
         const double want = coat_of(.2 + .8 * varied(i, .137), .0533, n, v, l);
-        worst = fmax(worst, fabs((double)said[i][0] - want) / (.25 + want));
-        turned[0] = fmax(turned[0], dot(n, l) > 0 ? (double)said[i][1] : 0);
-        turned[1] = fmax(turned[1], (double)said[i][2]);
+        worst = fmax(worst, fabs((double)reported[i][0] - want) / (.25 + want));
+        turned[0] = fmax(turned[0], dot(n, l) > 0 ? (double)reported[i][1] : 0);
+        turned[1] = fmax(turned[1], (double)reported[i][2]);
         seen++;
     }
     print_message("of %d coats: within %.1e; changed places: the coat %.1e, what lies below %.1e\n",
@@ -119,12 +119,12 @@ static void coats_lie_as_they_say(void **state)
 static void sends_no_more_than_arrives(void **state)
 {
     (void)state;
-    static float said[SIDE * SIDE][4];
+    static float reported[SIDE * SIDE][4];
     double most = 0, around = 0;
-    run(furnace, said);
+    run(furnace, reported);
     for (int i = 0; i < SIDE * SIDE; i++) {
-        most = fmax(most, (double)said[i][0]);
-        around = fmax(around, fabs((double)said[i][1] - 1));
+        most = fmax(most, (double)reported[i][0]);
+        around = fmax(around, fabs((double)reported[i][1] - 1));
     }
     print_message("white under tilted coats: at most %.4f; of ambient light 1 within %.4f\n", most,
                   around);

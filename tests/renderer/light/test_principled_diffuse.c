@@ -81,14 +81,14 @@ static const char around[] =
     "s.coatReflectance = 0.05; s.fuzz = varied(p, 0.733);\n#endif\n"
     "    return vec4(surfaceAmbient(surfaceLit(s, toward(cosineOf(p), 0.0)), vec3(1.0)), 1.0); }\n";
 
-static void run(const char *more, const char *body, float (*said)[4])
+static void run(const char *more, const char *body, float (*reported)[4])
 {
     const SurfaceModel *model = &surface_model_principled;
     const ScreenPassText text = {.body = {head, more, model->text, model->more[0], model->more[1],
                                           model->more[2], tools, body},
                                  .format = "RGBA32F"};
     GlContext *gl = frame_context();
-    pass_values(gl, &text, SIDE, said);
+    pass_values(gl, &text, SIDE, reported);
     gl_close(gl);
 }
 
@@ -167,9 +167,9 @@ static double light_cosine(int i) { return .05 + .95 * varied(i, .5701); }
 static void base_is_its_definition(void **state)
 {
     (void)state;
-    static float said[SIDE * SIDE][4];
+    static float reported[SIDE * SIDE][4];
     double worst[2] = {0};
-    run("", bare, said);
+    run("", bare, reported);
     for (int i = 0; i < SIDE * SIDE; i += 7) {
         const double rough = varied(i, .382), cosines[2] = {light_cosine(i), cosine_of(i % SIDE)},
                      color[3] = {varied(i, .618), 1, varied(i, .733)}, most = varied(i, .29);
@@ -177,9 +177,9 @@ static void base_is_its_definition(void **state)
             const Grained of = {
                 rough, {cosines[0], cosines[1]}, 2 * LOBE_PI * varied(i, .91), all_arrives, NULL};
             const double want = lobe_of(&of, color[lane]);
-            worst[0] = fmax(worst[0], fabs((double)said[i][lane] - want) / (.25 + want));
+            worst[0] = fmax(worst[0], fabs((double)reported[i][lane] - want) / (.25 + want));
         }
-        worst[1] = fmax(worst[1], fabs((double)said[i][3] - 1 +
+        worst[1] = fmax(worst[1], fabs((double)reported[i][3] - 1 +
                                        once_from(rough, cosines[1], less_that_grazes, &most)));
     }
     print_message("the lobe: within %.4f; what it loses: %.4f\n", worst[0], worst[1]);
@@ -206,9 +206,9 @@ static double between_facets(const double *numbers, double cosine)
 static void lobes_are_below_facets(void **state)
 {
     (void)state;
-    static float said[SIDE * SIDE][4];
+    static float reported[SIDE * SIDE][4];
     double worst = 0;
-    run("", lobes, said);
+    run("", lobes, reported);
     for (int y = 0; y < SIDE; y++) {
         for (int k = 0; k < ANGLES; k++)
             lobe_albedo(fmax(pow(k / (ANGLES - 1.), 2), 1e-4), pow(rough_of(y), 2), albedos[y][k]);
@@ -231,7 +231,7 @@ static void lobes_are_below_facets(void **state)
             const double lobe = lobe_of(&of, tone);
             const double want = cosines[0] * between_facets(numbers, cosines[0]) *
                                 between_facets(numbers, cosines[1]) / mean * lobe;
-            worst = fmax(worst, fabs((double)said[i][lane] - want) / (.25 + want));
+            worst = fmax(worst, fabs((double)reported[i][lane] - want) / (.25 + want));
         }
     }
     print_message("below facets: within %.4f\n", worst);
@@ -241,14 +241,14 @@ static void lobes_are_below_facets(void **state)
 static void white_sends_all(void **state)
 {
     (void)state;
-    static float said[2][SIDE * SIDE][4];
+    static float reported[2][SIDE * SIDE][4];
     double least = 2, most = 0;
-    run("", furnace, said[0]);
-    run(layers, furnace, said[1]);
+    run("", furnace, reported[0]);
+    run(layers, furnace, reported[1]);
     for (int k = 0; k < 2; k++)
         for (int i = 0; i < SIDE * SIDE; i++) {
-            least = fmin(least, fmin((double)said[k][i][0], (double)said[k][i][1]));
-            most = fmax(most, fmax((double)said[k][i][0], (double)said[k][i][1]));
+            least = fmin(least, fmin((double)reported[k][i][0], (double)reported[k][i][1]));
+            most = fmax(most, fmax((double)reported[k][i][0], (double)reported[k][i][1]));
         }
     print_message("white, beside an even base: %.4f to %.4f\n", least, most);
     assert_true(least > .99 && most < 1.01);
@@ -257,12 +257,12 @@ static void white_sends_all(void **state)
 static void light_and_eye_change_places(void **state)
 {
     (void)state;
-    static float said[SIDE * SIDE][4];
+    static float reported[SIDE * SIDE][4];
     for (int k = 0; k < 2; k++) {
-        run(k ? layers : "", turned, said);
-        lobe_changes_places(said, SIDE * SIDE);
-        run(k ? layers : "", around, said);
-        lobe_is_white_around(said, SIDE * SIDE);
+        run(k ? layers : "", turned, reported);
+        lobe_changes_places(reported, SIDE * SIDE);
+        run(k ? layers : "", around, reported);
+        lobe_is_white_around(reported, SIDE * SIDE);
     }
 }
 

@@ -57,13 +57,13 @@ static const char turned[] = "vec4 passPixel(ivec2 p) {\n"
                              "surfaceLobe(surfaceLit(s, l), v) / v.z;\n"
                              "    return vec4(abs(a - b) / (a + b), 1.0);\n}\n";
 
-static void run(GlContext *gl, const char *body, float (*said)[4])
+static void run(GlContext *gl, const char *body, float (*reported)[4])
 {
     const SurfaceModel *model = &surface_model_principled;
     const ScreenPassText text = {
         .body = {head, model->text, model->more[0], model->more[1], model->more[2], tools, body},
         .format = "RGBA32F"};
-    pass_values(gl, &text, SIDE, said);
+    pass_values(gl, &text, SIDE, reported);
 }
 
 static double cosine_of(int x) { return .1 + .9 * x / (SIDE - 1); }
@@ -101,17 +101,17 @@ static void film_of(double path, double n, double cosine, double base, double la
 static void films_are_sums_over_wavelengths(void **state)
 {
     (void)state;
-    static float said[SIDE * SIDE][4];
+    static float reported[SIDE * SIDE][4];
     double worst = 0, squares = 0;
     GlContext *gl = frame_context();
-    run(gl, films, said);
+    run(gl, films, reported);
     gl_close(gl);
     for (int i = 0; i < SIDE * SIDE; i++) {
         double want[3];
         film_of(5 * varied(i, .618), 1.1 + 1.2 * varied(i, .382), cosine_of(i % SIDE),
                 varied(i, .733) * varied(i, .733), want);
         for (int lane = 0; lane < 3; lane++) {
-            const double error = fabs((double)said[i][lane] - want[lane]);
+            const double error = fabs((double)reported[i][lane] - want[lane]);
             worst = fmax(worst, error);
             squares += error * error / (3 * SIDE * SIDE);
         }
@@ -152,17 +152,17 @@ static void airy_of(double thickness, double cosine, double lanes[3])
 static void soap_is_airys(void **state)
 {
     (void)state;
-    static float said[SIDE * SIDE][4];
+    static float reported[SIDE * SIDE][4];
     double worst[2] = {0}, most[2] = {0}, least[2] = {1, 1};
     GlContext *gl = frame_context();
-    run(gl, soap, said);
+    run(gl, soap, reported);
     gl_close(gl);
     for (int i = 0; i < SIDE * SIDE; i++) {
         double want[3];
         airy_of((i + .5) / (SIDE * SIDE), i % 2 ? .5 : 1, want);
         for (int lane = 0; lane < 3; lane++) {
             worst[i % 2] =
-                fmax(worst[i % 2], fabs((double)said[i][lane] - fmin(fmax(want[lane], 0), 1)));
+                fmax(worst[i % 2], fabs((double)reported[i][lane] - fmin(fmax(want[lane], 0), 1)));
             most[i % 2] = fmax(most[i % 2], want[lane]);
             least[i % 2] = fmin(least[i % 2], want[lane]);
         }
@@ -176,15 +176,15 @@ static void soap_is_airys(void **state)
 static void white_sends_all(void **state)
 {
     (void)state;
-    static float said[SIDE * SIDE][4];
+    static float reported[SIDE * SIDE][4];
     double least[2] = {2, 2}, most[2] = {0};
     GlContext *gl = frame_context();
-    run(gl, furnace, said);
+    run(gl, furnace, reported);
     gl_close(gl);
     for (int i = 0; i < SIDE * SIDE; i++)
         for (int k = 0; k < 2; k++) {
-            least[k] = fmin(least[k], (double)said[i][2 * k]);
-            most[k] = fmax(most[k], (double)said[i][2 * k + 1]);
+            least[k] = fmin(least[k], (double)reported[i][2 * k]);
+            most[k] = fmax(most[k], (double)reported[i][2 * k + 1]);
         }
     print_message("white: %.4f to %.4f, of metal %.4f to %.4f\n", least[0], most[0], least[1],
                   most[1]);
@@ -194,11 +194,11 @@ static void white_sends_all(void **state)
 static void light_and_eye_change_places(void **state)
 {
     (void)state;
-    static float said[SIDE * SIDE][4];
+    static float reported[SIDE * SIDE][4];
     GlContext *gl = frame_context();
-    run(gl, turned, said);
+    run(gl, turned, reported);
     gl_close(gl);
-    lobe_changes_places(said, SIDE * SIDE);
+    lobe_changes_places(reported, SIDE * SIDE);
 }
 
 int main(void)

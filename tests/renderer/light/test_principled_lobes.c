@@ -91,18 +91,18 @@ static const char around[] =
     "vec3(1.0);\n"
     "    return vec4(surfaceAmbient(surfaceLit(s, toward(cosineOf(p), 0.0)), vec3(1.0)), 1.0); }\n";
 
-static void run_lacking(GlContext *gl, const char *lacks, const char *body, float (*said)[4])
+static void run_lacking(GlContext *gl, const char *lacks, const char *body, float (*reported)[4])
 {
     const SurfaceModel *model = &surface_model_principled;
     const ScreenPassText text = {.body = {lacks, head, model->text, model->more[0], model->more[1],
                                           model->more[2], tools, body},
                                  .format = "RGBA32F"};
-    pass_values(gl, &text, SIDE, said);
+    pass_values(gl, &text, SIDE, reported);
 }
 
-static void run(GlContext *gl, const char *body, float (*said)[4])
+static void run(GlContext *gl, const char *body, float (*reported)[4])
 {
-    run_lacking(gl, "", body, said);
+    run_lacking(gl, "", body, reported);
 }
 
 static double rough_of(int y) { return .0316227766 + .9683772 * y / (SIDE - 1); }
@@ -161,20 +161,20 @@ static double fresnel(const double albedo[2], double reflectance)
 static void fits_are_integrals(void **state)
 {
     (void)state;
-    static float said[SIDE * SIDE][4];
+    static float reported[SIDE * SIDE][4];
     double worst[3] = {0};
     GlContext *gl = frame_context();
-    run(gl, fits, said);
+    run(gl, fits, reported);
     gl_close(gl);
     for (int i = 0; i < SIDE * SIDE; i++) {
         const double rough = .2 + .8 * (i / SIDE) / (SIDE - 1);
-        worst[0] = fmax(worst[0], fabs(said[i][0] - fuzz_albedo(rough, cosine_of(i % SIDE))));
+        worst[0] = fmax(worst[0], fabs(reported[i][0] - fuzz_albedo(rough, cosine_of(i % SIDE))));
         if (i % SIDE)
             continue;
         double mean[2];
         mean_of(pow(rough_of(i / SIDE), 2), mean);
-        worst[1] = fmax(worst[1], fabs(said[i][1] - fresnel(mean, .05)));
-        worst[2] = fmax(worst[2], fabs(said[i][2] - fuzz_mean(rough)));
+        worst[1] = fmax(worst[1], fabs(reported[i][1] - fresnel(mean, .05)));
+        worst[2] = fmax(worst[2], fabs(reported[i][2] - fuzz_mean(rough)));
     }
     print_message("fuzz: within %.4f, its mean %.4f; a coat's mean: %.4f\n", worst[0], worst[2],
                   worst[1]);
@@ -342,16 +342,16 @@ static double lobe_of(int i, double cosine, double l, double turn)
 static void lobes_are_as_defined(void **state)
 {
     (void)state;
-    static float said[SIDE * SIDE][4];
+    static float reported[SIDE * SIDE][4];
     double worst = 0;
     GlContext *gl = frame_context();
-    run(gl, lobes, said);
+    run(gl, lobes, reported);
     gl_close(gl);
     /* rows above the first, whose lobe is narrower than floats of the directions */
     for (int i = SIDE; i < SIDE * SIDE; i += 11) {
         const double turn = 3.14159 + (.5 - varied(i, .91)) * rough_of(i / SIDE);
         const double want = lobe_of(i, cosine_of(i % SIDE), .1 + .85 * varied(i, .5701), turn);
-        worst = fmax(worst, fabs(said[i][1] - want) / (.25 + want));
+        worst = fmax(worst, fabs(reported[i][1] - want) / (.25 + want));
     }
     print_message("lobes: within %.4f\n", worst);
     /* what the polynomials of what is spread are within, of white light */
@@ -363,16 +363,16 @@ static void white_sends_all(void **state)
     (void)state;
     static const char *const names[] = {"coat", "fuzz", "fuzz over a coat", "coat over metal"};
     static const double bound = .01;
-    static float said[SIDE * SIDE][4];
+    static float reported[SIDE * SIDE][4];
     bool fine = true;
     GlContext *gl = frame_context();
-    run(gl, furnace, said);
+    run(gl, furnace, reported);
     gl_close(gl);
     for (int k = 0; k < 4; k++) {
         double least = 2, most = 0;
         for (int i = 0; i < SIDE * SIDE; i++) {
-            least = fmin(least, (double)said[i][k]);
-            most = fmax(most, (double)said[i][k]);
+            least = fmin(least, (double)reported[i][k]);
+            most = fmax(most, (double)reported[i][k]);
         }
         print_message("white, %s: %.4f to %.4f\n", names[k], least, most);
         fine &= least > 1 - bound && most < 1 + bound;
@@ -411,13 +411,13 @@ static void layers_of_no_weight_change_nothing(void **state)
 static void light_and_eye_change_places(void **state)
 {
     (void)state;
-    static float said[SIDE * SIDE][4];
+    static float reported[SIDE * SIDE][4];
     GlContext *gl = frame_context();
-    run(gl, turned, said);
-    lobe_changes_places(said, SIDE * SIDE);
-    run(gl, around, said);
+    run(gl, turned, reported);
+    lobe_changes_places(reported, SIDE * SIDE);
+    run(gl, around, reported);
     gl_close(gl);
-    lobe_is_white_around(said, SIDE * SIDE);
+    lobe_is_white_around(reported, SIDE * SIDE);
 }
 
 int main(void)

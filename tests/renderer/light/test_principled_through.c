@@ -78,13 +78,13 @@ static const char holes[] =
     "    vec3 v = vec3(0.0, 0.0, 1.0); Lit m = surfaceLit(s, v); return vec4(surfaceThrough(s, "
     "v).x, m.kept, surfaceAmbient(m, vec3(1.0)).x, 1.0); }\n";
 
-static void run(GlContext *gl, const char *lacks, const char *body, float (*said)[4])
+static void run(GlContext *gl, const char *lacks, const char *body, float (*reported)[4])
 {
     const SurfaceModel *model = &surface_model_principled;
     const ScreenPassText text = {.body = {head, lacks, model->text, model->more[0], model->more[1],
                                           model->more[2], model->more[3], tools, body},
                                  .format = "RGBA32F"};
-    pass_values(gl, &text, SIDE, said);
+    pass_values(gl, &text, SIDE, reported);
 }
 
 static double rough_of(int y) { return .0316227766 + .9683772 * y / (SIDE - 1); }
@@ -94,18 +94,19 @@ static double varied(int i, double step) { return fmod(.5 + step * i, 1); }
 static void white_is_all(void **state)
 {
     (void)state;
-    static float said[SIDE * SIDE][4];
+    static float reported[SIDE * SIDE][4];
     double least[3] = {2, 2, 2}, most[3] = {0}, through = 0;
     GlContext *gl = frame_context();
-    run(gl, "", furnace, said);
+    run(gl, "", furnace, reported);
     gl_close(gl);
     for (int i = 0; i < SIDE * SIDE; i++) {
         double own[2];
         lobe_albedo(cosine_of(i % SIDE), pow(rough_of(i / SIDE), 2), own);
-        through = fmax(through, fabs((double)said[i][3] - (1 - .1 * (1 - own[0]) - .9 * own[1])));
+        through =
+            fmax(through, fabs((double)reported[i][3] - (1 - .1 * (1 - own[0]) - .9 * own[1])));
         for (int k = 0; k < 3; k++) {
-            least[k] = fmin(least[k], (double)said[i][k]);
-            most[k] = fmax(most[k], (double)said[i][k]);
+            least[k] = fmin(least[k], (double)reported[i][k]);
+            most[k] = fmax(most[k], (double)reported[i][k]);
         }
     }
     print_message("through glass: within %.4f\n", through);
@@ -126,10 +127,10 @@ static double reflected(const double own[2], double f0, double again)
 static void light_from_behind_is_an_integral(void **state)
 {
     (void)state;
-    static float said[SIDE * SIDE][4];
+    static float reported[SIDE * SIDE][4];
     double worst = 0, whole = 0;
     GlContext *gl = frame_context();
-    run(gl, "#define SURFACE_LACKS_coat\n", lobes, said);
+    run(gl, "#define SURFACE_LACKS_coat\n", lobes, reported);
     gl_close(gl);
     for (int i = 0; i < SIDE * SIDE; i += 3) {
         const double a = pow(rough_of(i / SIDE), 2), f0 = .2 * varied(i, .137),
@@ -142,8 +143,9 @@ static void light_from_behind_is_an_integral(void **state)
         const double again = f * f * (1 - m[0]) / (1 - f * m[0]);
         const double out = 1 - reflected(v, f0, again), in = 1 - reflected(w, f0, again),
                      mean = 1 - reflected(m, f0, again);
-        worst = fmax(worst, fabs(said[i][0] - l * behind * in * out / mean));
-        whole = fmax(whole, fabs(said[i][2] - said[i][1] - behind * out - reflected(v, f0, again)));
+        worst = fmax(worst, fabs(reported[i][0] - l * behind * in * out / mean));
+        whole = fmax(
+            whole, fabs(reported[i][2] - reported[i][1] - behind * out - reflected(v, f0, again)));
     }
     print_message("from behind: within %.4f, from all around %.4f\n", worst, whole);
     assert_true(worst < .006 && whole < .01);
@@ -152,27 +154,28 @@ static void light_from_behind_is_an_integral(void **state)
 static void light_and_eye_change_places(void **state)
 {
     (void)state;
-    static float said[SIDE * SIDE][4];
+    static float reported[SIDE * SIDE][4];
     GlContext *gl = frame_context();
-    run(gl, "", turned, said);
+    run(gl, "", turned, reported);
     gl_close(gl);
-    lobe_changes_places(said, SIDE * SIDE);
+    lobe_changes_places(reported, SIDE * SIDE);
 }
 
 static void holes_reflect_nothing(void **state)
 {
     (void)state;
-    static float said[SIDE * SIDE][4];
+    static float reported[SIDE * SIDE][4];
     GlContext *gl = frame_context();
-    run(gl, "#define SURFACE_LACKS_diffuseTransparency\n", holes, said);
-    assert_true(fabs((double)said[0][1] - .5) < 1e-6 &&
-                fabs((double)said[0][0] - (.5 + .4 * .96)) < 1e-3);
-    assert_true(fabs((double)said[0][2] - .5 * (.04 + .2 * .96)) < 1e-3);
+    run(gl, "#define SURFACE_LACKS_diffuseTransparency\n", holes, reported);
+    assert_true(fabs((double)reported[0][1] - .5) < 1e-6 &&
+                fabs((double)reported[0][0] - (.5 + .4 * .96)) < 1e-3);
+    assert_true(fabs((double)reported[0][2] - .5 * (.04 + .2 * .96)) < 1e-3);
     /* all of it is a hole then */
     run(gl, "#define SURFACE_LACKS_transmission\n#define SURFACE_LACKS_diffuseTransparency\n",
-        holes, said);
+        holes, reported);
     gl_close(gl);
-    assert_true(fabs((double)said[0][0] - .9) < 1e-6 && fabs((double)said[0][1] - .1) < 1e-6);
+    assert_true(fabs((double)reported[0][0] - .9) < 1e-6 &&
+                fabs((double)reported[0][1] - .1) < 1e-6);
 }
 
 int main(void)

@@ -210,7 +210,8 @@ static void formulas(void **state)
 /* -- what is measured */
 
 /* The three texels of a picture. */
-static void run(GlContext *gl, const float *rgba, const int size[2], bool compute, float said[3][4])
+static void run(GlContext *gl, const float *rgba, const int size[2], bool compute,
+                float reported[3][4])
 {
     const char *const texts[] = {"#define TONE_Linear\n#define TONE_MEASURES\n", render_text_tone,
                                  NULL};
@@ -223,7 +224,7 @@ static void run(GlContext *gl, const float *rgba, const int size[2], bool comput
         !measure_make(store, size, compute, texts, &made))
         fail_msg("%s", gl->error);
     measure_run(&made, name, &screen);
-    assert_true(framebuffer_read(gl, &made.targets[made.count - 1], 0, said[0]));
+    assert_true(framebuffer_read(gl, &made.targets[made.count - 1], 0, reported[0]));
     measure_delete(gl, &made);
     screen_delete(gl, &screen);
     gl->DeleteTextures(1, &name);
@@ -239,29 +240,29 @@ static void measured(void **state)
     GlContext *gl = frame_context();
     for (size_t s = 0; s < sizeof sizes / sizeof *sizes; s++) {
         const int count = sizes[s][0] * sizes[s][1];
-        float *rgba = calloc((size_t)count * 4, sizeof *rgba), said[3][4];
+        float *rgba = calloc((size_t)count * 4, sizeof *rgba), reported[3][4];
         assert_non_null(rgba);
         for (unsigned i = 0; i < 4u * (unsigned)count; i++)
             rgba[i] = i % 4 == 3 ? 1 : (float)((i * 7919 % 1009) / 1009.);
         memcpy(rgba + 4 * (count / 2), (float[]){9, 5000, .5f, 1}, 4 * sizeof *rgba);
         const Picture p = measure(rgba, count);
         for (int compute = 0; compute < 2; compute++) {
-            run(gl, rgba, sizes[s], compute, said);
-            assert_true(fabs(said[0][1] - p.greatest) <= 1e-6 * p.greatest);
-            assert_true(fabs(said[0][3] - p.brightest) <= 1e-6 * p.brightest);
+            run(gl, rgba, sizes[s], compute, reported);
+            assert_true(fabs(reported[0][1] - p.greatest) <= 1e-6 * p.greatest);
+            assert_true(fabs(reported[0][3] - p.brightest) <= 1e-6 * p.brightest);
             for (int lane = 0; lane < 4; lane++)
-                assert_true(fabs(said[1][lane] / count - p.mean[lane]) <= 1e-5 * p.mean[lane]);
-            assert_true(fabs(said[2][0] / said[2][1] - p.log_mean) <=
+                assert_true(fabs(reported[1][lane] / count - p.mean[lane]) <= 1e-5 * p.mean[lane]);
+            assert_true(fabs(reported[2][0] / reported[2][1] - p.log_mean) <=
                         1e-5 * (fabs(p.log_mean) + 1));
-            assert_true(fabs(said[2][2] - p.darkest) <= 1e-5 * p.darkest);
+            assert_true(fabs(reported[2][2] - p.darkest) <= 1e-5 * p.darkest);
         }
         for (int i = 0; i < 3 && count > 3; i++)
             rgba[4 * i] = ((float[]){NAN, INFINITY, -INFINITY})[i];
-        run(gl, rgba, sizes[s], true, said);
+        run(gl, rgba, sizes[s], true, reported);
         for (int i = 0; i < 12; i++)
-            assert_true(isfinite(said[i / 4][i % 4]));
+            assert_true(isfinite(reported[i / 4][i % 4]));
         if (count > 3)
-            assert_true(said[0][0] == 1e18f);
+            assert_true(reported[0][0] == 1e18f);
         free(rgba);
     }
     gl_close(gl);

@@ -74,11 +74,11 @@ static void materials_are_a_document(void **state)
 }
 
 /* Where it stands in the file. */
-static void what_is_not_read_is_said(void **state)
+static void what_is_not_read_is_reported(void **state)
 {
     (void)state;
     static const struct {
-        const char *materials, *said;
+        const char *materials, *reported;
     } cases[] = {
         {"[{\"extensions\":{\"KHR_materials_unlit\":{}}}]",
          "2:29: warning: KHR_materials_unlit is not read"},
@@ -107,10 +107,11 @@ static void what_is_not_read_is_said(void **state)
         snprintf(text, sizeof text, "%s%s}", head, cases[i].materials);
         MatcDocument *document =
             matc_read(path_of("case.gltf", path), text, strlen(text), &options);
-        const char *said = matc_diagnostics(document, MATC_TEXT),
-                   *behind = said + (*said ? strlen(path) + 1 : 0);
-        if (strncmp(behind, cases[i].said, strlen(cases[i].said)) != 0 || !*cases[i].said != !*said)
-            fail_msg("%s: %s", cases[i].materials, said);
+        const char *reported = matc_diagnostics(document, MATC_TEXT),
+                   *behind = reported + (*reported ? strlen(path) + 1 : 0);
+        if (strncmp(behind, cases[i].reported, strlen(cases[i].reported)) != 0 ||
+            !*cases[i].reported != !*reported)
+            fail_msg("%s: %s", cases[i].materials, reported);
         matc_document_free(document);
     }
 }
@@ -324,7 +325,7 @@ static void documents_have_pictures_as_files_do(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(materials_are_a_document),
-                                       cmocka_unit_test(what_is_not_read_is_said),
+                                       cmocka_unit_test(what_is_not_read_is_reported),
                                        cmocka_unit_test(meshes_are_in_parts),
                                        cmocka_unit_test(meshes_have_colors),
                                        cmocka_unit_test(a_mesh_has_the_files_materials),

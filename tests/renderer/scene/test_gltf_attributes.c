@@ -221,21 +221,22 @@ static void sparse_values_replace_others(void **state)
 }
 
 #define AT "meshes/1/primitives/0/attributes/_A: "
-#define CASE(accessor, said)                                                                       \
+#define CASE(accessor, reported)                                                                   \
     {                                                                                              \
-        FILE_OF("\"uri\":\"rows.bin\",", "\"_A\":2", accessor "," NUMBER), AT said                 \
+        FILE_OF("\"uri\":\"rows.bin\",", "\"_A\":2", accessor "," NUMBER), AT reported             \
     }
-#define SPARSE(parts, said)                                                                        \
-    CASE("{\"componentType\":5126,\"count\":7,\"type\":\"SCALAR\",\"sparse\":{" parts "}}", said)
+#define SPARSE(parts, reported)                                                                    \
+    CASE("{\"componentType\":5126,\"count\":7,\"type\":\"SCALAR\",\"sparse\":{" parts "}}",        \
+         reported)
 static void faults_have_places(void **state)
 {
     (void)state;
-#define NAMED(names, said)                                                                         \
+#define NAMED(names, reported)                                                                     \
     {                                                                                              \
-        FILE_OF("\"uri\":\"rows.bin\",", names, NUMBER "," NUMBER), said                           \
+        FILE_OF("\"uri\":\"rows.bin\",", names, NUMBER "," NUMBER), reported                       \
     }
     static const struct {
-        const char *text, *said;
+        const char *text, *reported;
     } cases[] = {
         CASE("{\"bufferView\":0,\"componentType\":5126,\"count\":6,\"type\":\"SCALAR\"}",
              "its accessor has another count than"),
@@ -300,8 +301,8 @@ static void faults_have_places(void **state)
         write_file("a.gltf", cases[i].text, strlen(cases[i].text));
         assert_false(model_read_in_place(path_of("a.gltf", path), &shape, error, sizeof error));
         assert_true(*error && !shape.vertices);
-        if (strncmp(error, cases[i].said, strlen(cases[i].said)) != 0)
-            fail_msg("%zu: %s, not %s", i, error, cases[i].said);
+        if (strncmp(error, cases[i].reported, strlen(cases[i].reported)) != 0)
+            fail_msg("%zu: %s, not %s", i, error, cases[i].reported);
     }
 }
 

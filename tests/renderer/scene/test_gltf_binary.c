@@ -123,7 +123,7 @@ static void pictures_are_within(void **state)
     unlink(path_of("b.gltf", text));
 }
 
-static void broken_binaries_are_said(void **state)
+static void broken_binaries_are_reported(void **state)
 {
     (void)state;
     static const char fine[] =
@@ -138,7 +138,7 @@ static void broken_binaries_are_said(void **state)
 #define CANNOT "cannot read the picture 'x.glb#/images/0': "
     static const struct {
         Binary binary;
-        const char *said;
+        const char *reported;
     } cases[] = {
         {{.json = fine, .binary = "abcd", .binary_size = 4},
          CANNOT "it is neither PNG nor JPEG nor OpenEXR nor BMP"},
@@ -174,9 +174,9 @@ static void broken_binaries_are_said(void **state)
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         char shown[512];
         const size_t size = make_binary(&cases[i].binary, bytes);
-        if (strncmp(shown_by("x.glb", bytes, size, shown), cases[i].said, strlen(cases[i].said)) !=
-            0)
-            fail_msg("%zu: %s, not %s", i, shown, cases[i].said);
+        if (strncmp(shown_by("x.glb", bytes, size, shown), cases[i].reported,
+                    strlen(cases[i].reported)) != 0)
+            fail_msg("%zu: %s, not %s", i, shown, cases[i].reported);
     }
     const Binary whole = {.json = fine, .binary = "abcd", .binary_size = 4};
     const size_t size = make_binary(&whole, bytes);
@@ -314,7 +314,7 @@ static int clean(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(pictures_are_within), cmocka_unit_test(broken_binaries_are_said),
+        cmocka_unit_test(pictures_are_within), cmocka_unit_test(broken_binaries_are_reported),
         cmocka_unit_test(a_file_is_read_once), cmocka_unit_test(meshes_read_a_buffer_once),
         cmocka_unit_test(binary_meshes_have_materials)};
     return cmocka_run_group_tests(tests, prepare, clean);

@@ -80,7 +80,7 @@ static void whole_range(void **state)
     }
 }
 
-static void assert_refused(const char *text, const char *said)
+static void assert_refused(const char *text, const char *reported)
 {
     MatcOptions options;
     MatcDocument *document;
@@ -89,7 +89,7 @@ static void assert_refused(const char *text, const char *said)
     document = scene_read("scene.yaml", text, strlen(text), &options, &scene);
     assert_null(scene);
     const char *all = matc_diagnostics(document, MATC_TEXT);
-    if (strncmp(all + strlen("scene.yaml:"), said, strlen(said)) != 0)
+    if (strncmp(all + strlen("scene.yaml:"), reported, strlen(reported)) != 0)
         fail_msg("%s", all);
     assert_int_equal(matc_error_count(document), 1);
     matc_document_free(document);

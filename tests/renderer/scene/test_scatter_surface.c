@@ -189,7 +189,7 @@ static void faults(void **state)
 {
     (void)state;
     static const struct {
-        const char *text, *said;
+        const char *text, *reported;
     } cases[] = {
         {RED "objects: [{ object: Scatter, on: { object: Plane }" BOX,
          "2:34: error: a plane has no end: copies cannot stand evenly on all of it"},
@@ -222,10 +222,10 @@ static void faults(void **state)
         MatcDocument *document;
         char line[512];
         assert_null(read_text(cases[i].text, &document));
-        const char *said = matc_diagnostics(document, MATC_TEXT);
-        snprintf(line, sizeof line, "%.*s", (int)strcspn(said, "\n"), said);
-        if (cases[i].said)
-            assert_string_equal(line + strlen("scene.yaml:"), cases[i].said);
+        const char *reported = matc_diagnostics(document, MATC_TEXT);
+        snprintf(line, sizeof line, "%.*s", (int)strcspn(reported, "\n"), reported);
+        if (cases[i].reported)
+            assert_string_equal(line + strlen("scene.yaml:"), cases[i].reported);
         matc_document_free(document);
     }
 }

@@ -189,11 +189,11 @@ static void methods_of_shadows(void **state)
                       "{ light: Directional, shadows: none }, { light: Point, shadows: false }, "
                       "{ light: Ambient }]\n",
                   &document);
-    const Word said[] = {WORD_Shadows_map,  WORD_Shadows_map,  WORD_Shadows_map,
-                         WORD_Shadows_none, WORD_Shadows_none, WORD_Shadows_none};
+    const Word reported[] = {WORD_Shadows_map,  WORD_Shadows_map,  WORD_Shadows_map,
+                             WORD_Shadows_none, WORD_Shadows_none, WORD_Shadows_none};
     assert_int_equal(scene->light_count, 6);
     for (int i = 0; i < 6; i++)
-        assert_int_equal(scene->lights[i].shadows, said[i]);
+        assert_int_equal(scene->lights[i].shadows, reported[i]);
     scene_lights_shadow(scene, WORD_Shadows_none);
     for (int i = 0; i < 6; i++)
         assert_false(scene_light_casts(&scene->lights[i]));

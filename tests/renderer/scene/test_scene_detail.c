@@ -320,7 +320,7 @@ static void displaced_copies_share_meshes(void **state)
     }
 }
 
-static void many_triangles_are_told(void **state)
+static void many_triangles_are_reported(void **state)
 {
     (void)state;
     static const char balls[] = "materials: { m: { material: RGBA } }\nlights: [{ light: Point "
@@ -336,12 +336,13 @@ static void many_triangles_are_told(void **state)
     scene = read_text(text, &document);
     assert_non_null(scene);
     assert_int_equal(matc_error_count(document), 0);
-    const char *said = "scene.yaml:5:61: warning: the scene has 5013516 triangles, 5013504 of them "
-                       "in this Sphere and "
-                       "its copies, 136 in all: ";
-    const char *told = matc_diagnostics(document, MATC_TEXT);
-    if (strncmp(told, said, strlen(said)) != 0)
-        fail_msg("%s", told);
+    const char *wanted =
+        "scene.yaml:5:61: warning: the scene has 5013516 triangles, 5013504 of them "
+        "in this Sphere and "
+        "its copies, 136 in all: ";
+    const char *reported = matc_diagnostics(document, MATC_TEXT);
+    if (strncmp(reported, wanted, strlen(wanted)) != 0)
+        fail_msg("%s", reported);
     forget(scene, document);
 }
 
@@ -353,7 +354,7 @@ int main(void)
         cmocka_unit_test(small_scenes_are_as_they_are_written),
         cmocka_unit_test(larger_pictures_are_finer),
         cmocka_unit_test(displaced_copies_share_meshes),
-        cmocka_unit_test(many_triangles_are_told),
+        cmocka_unit_test(many_triangles_are_reported),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

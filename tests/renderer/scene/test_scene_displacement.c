@@ -284,7 +284,7 @@ static void objects_share_meshes(void **state)
 }
 
 /* A plane has no points to move. What would be too much is said. */
-static void what_cannot_be_is_said(void **state)
+static void what_cannot_be_is_reported(void **state)
 {
     (void)state;
     const MatcOptions by = options();
@@ -310,7 +310,7 @@ int main(void)
         cmocka_unit_test(what_is_closed_stays_closed),
         cmocka_unit_test(hard_faces_cross_where_they_move_inward),
         cmocka_unit_test(objects_share_meshes),
-        cmocka_unit_test(what_cannot_be_is_said),
+        cmocka_unit_test(what_cannot_be_is_reported),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -9,7 +9,7 @@ static void faults(void **state)
 {
     (void)state;
     static const struct {
-        const char *text, *said;
+        const char *text, *reported;
     } cases[] = {
         {RED "objects: [{ object: Spere, material: red }]\n",
          "2:21: error: no object is called 'Spere'; did you mean 'Sphere'?"},
@@ -176,7 +176,7 @@ static void faults(void **state)
         {"colors: sRGB\nlights: []\n", NULL},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
-        assert_fault(cases[i].text, cases[i].said);
+        assert_fault(cases[i].text, cases[i].reported);
 }
 
 /* One run tells several faults, each once, though an alias stands for one of them twice. */
@@ -278,9 +278,9 @@ static void darkness_is_warned_of(void **state)
         matc_options_init(&options);
         MatcDocument *document =
             scene_read("scene.yaml", rows[i].text, strlen(rows[i].text), &options, &scene);
-        const char *said = matc_diagnostics(document, MATC_TEXT);
-        if (!scene || (strstr(said, "[-Wno_light]") != NULL) != rows[i].warned)
-            fail_msg("%s: %s", rows[i].text, said);
+        const char *reported = matc_diagnostics(document, MATC_TEXT);
+        if (!scene || (strstr(reported, "[-Wno_light]") != NULL) != rows[i].warned)
+            fail_msg("%s: %s", rows[i].text, reported);
         forget(scene, document);
     }
 }

@@ -7,7 +7,7 @@ static void faults(void **state)
 {
     (void)state;
     static const struct {
-        const char *text, *said;
+        const char *text, *reported;
     } cases[] = {
         {RED "objects: [{ object: Instance, material: red }]\n",
          "2:11: error: Instance wants 'of'"},
@@ -41,7 +41,7 @@ static void faults(void **state)
          "5:57: error: 'a' contains itself"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
-        assert_fault(cases[i].text, cases[i].said);
+        assert_fault(cases[i].text, cases[i].reported);
 }
 
 /* An instance's content stands under its matrix, in the order of the document; if it has no
@@ -132,7 +132,7 @@ static void instance_bombs(void **state)
     (void)state;
     static const struct {
         int length, times;
-        const char *said;
+        const char *reported;
     } cases[] = {{30, 4, "more than 1048576 objects and groups"},
                  {1000, 1, "nested deeper than 256 levels"},
                  {100, 1, NULL}};
@@ -153,9 +153,9 @@ static void instance_bombs(void **state)
         }
         MatcDocument *document;
         Scene *scene = read_text(text, &document);
-        const char *said = matc_diagnostics(document, MATC_TEXT);
-        assert_true(cases[k].said ? !scene && strstr(said, cases[k].said)
-                                  : scene && scene->object_count == 1);
+        const char *reported = matc_diagnostics(document, MATC_TEXT);
+        assert_true(cases[k].reported ? !scene && strstr(reported, cases[k].reported)
+                                      : scene && scene->object_count == 1);
         forget(scene, document);
     }
 }

@@ -44,13 +44,13 @@ static void put_text(const SceneParamRow *row, int lane, double value, char text
  * is. */
 static bool is_out_of_range(const SceneParamRow *row, int lane, double value)
 {
-    char text[512], fault[96], *said;
+    char text[512], fault[96], *reported;
     MatcDocument *document;
     put_text(row, lane, value, text);
     Scene *scene = read_text(text, &document);
     snprintf(fault, sizeof fault, ": error: %s is ", row->param.name);
-    said = strstr(matc_diagnostics(document, MATC_TEXT), fault);
-    const bool out = said && strstr(said, "it must be from");
+    reported = strstr(matc_diagnostics(document, MATC_TEXT), fault);
+    const bool out = reported && strstr(reported, "it must be from");
     if (out)
         assert_int_equal(strncmp(matc_diagnostics(document, MATC_TEXT), "scene.yaml:2:", 13), 0);
     assert_true(!out || !scene);

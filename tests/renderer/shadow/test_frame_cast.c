@@ -347,9 +347,9 @@ static void cut_outs_beside_volumes(void **state)
         gl->minor = old ? 3 : gl->minor;
         write_scene(&hybrids[0], shadow_angles[3], THINGS, old, text);
         Scene *scene = frame_scene(text, &options, &document);
-        char *said = frame_graph_or_fault(gl, scene, &(RendererOptions){.compile = &options});
-        assert_non_null(strstr(said, words[old]));
-        free(said);
+        char *reported = frame_graph_or_fault(gl, scene, &(RendererOptions){.compile = &options});
+        assert_non_null(strstr(reported, words[old]));
+        free(reported);
         frame_forget(scene, document);
         gl_close(gl);
     }

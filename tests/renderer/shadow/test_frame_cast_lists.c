@@ -105,7 +105,7 @@ static void room(void **state)
 {
     (void)state;
     static const struct {
-        const char *colored, *clear, *said; /* by the graph, or of the fault */
+        const char *colored, *clear, *reported; /* by the graph, or of the fault */
         size_t most;
         bool old, buffer;
     } cases[] = {
@@ -137,21 +137,21 @@ static void room(void **state)
             gl->major = gl->minor = 3;
             gl->ClipControl = NULL;
         }
-        char *said = frame_graph_or_fault(gl, scene,
-                                          &(RendererOptions){.compile = &options,
-                                                             .list_bytes = cases[i].most,
-                                                             .transparency = "peeling"});
-        if (!strstr(said, cases[i].said) ||
-            cases[i].buffer != (strstr(said, "transparent there") != NULL))
-            fail_msg("case %d: %s", (int)i, said);
-        free(said);
+        char *reported = frame_graph_or_fault(gl, scene,
+                                              &(RendererOptions){.compile = &options,
+                                                                 .list_bytes = cases[i].most,
+                                                                 .transparency = "peeling"});
+        if (!strstr(reported, cases[i].reported) ||
+            cases[i].buffer != (strstr(reported, "transparent there") != NULL))
+            fail_msg("case %d: %s", (int)i, reported);
+        free(reported);
         gl_close(gl);
         frame_forget(scene, document);
     }
 }
 
 /* Shadows that a scene lacks, here or with an older driver, are told. */
-static void lacks_are_said(void **state)
+static void lacks_are_reported(void **state)
 {
     (void)state;
     static const char text[] =
@@ -162,7 +162,7 @@ static void lacks_are_said(void **state)
         "- { object: Plane, transform: { translation: [0, 0, -3] }, material: { material: Phong, "
         "transparency: { map: "
         "Checker } } }\n";
-    static const char *const said[] = {
+    static const char *const reported[] = {
         "shadow none falls from 1 area lights and 0 skies",
         "shadow planes whose transparency varies cast none: it takes OpenGL 4.3",
         "shadow what is transparent casts all or nothing: colours take OpenGL 4.3"};
@@ -179,7 +179,7 @@ static void lacks_are_said(void **state)
         assert_true(renderer && renderer_set_scene(renderer, scene));
         char *graph = frame_graph(renderer);
         for (int i = 0; i < 3; i++)
-            assert_int_equal(strstr(graph, said[i]) != NULL, i == 0 || old);
+            assert_int_equal(strstr(graph, reported[i]) != NULL, i == 0 || old);
         free(graph);
         renderer_close(renderer);
         gl_close(gl);
@@ -193,7 +193,7 @@ int main(void)
         cmocka_unit_test(products),
         cmocka_unit_test(products_in_parts),
         cmocka_unit_test(room),
-        cmocka_unit_test(lacks_are_said),
+        cmocka_unit_test(lacks_are_reported),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

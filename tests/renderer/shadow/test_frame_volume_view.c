@@ -268,7 +268,7 @@ static void what_is_refused(void **state)
     static const struct {
         const char *light, *view;
         bool linear;
-        const char *said;
+        const char *reported;
     } cases[] = {
         {"Directional", "volume", false,
          "there is no view 'volume': no light casts hybrid shadows here"},
@@ -287,9 +287,9 @@ static void what_is_refused(void **state)
             .compile = &d.compile, .view = cases[i].view, .linear = cases[i].linear};
         Renderer *renderer = renderer_open(d.gl, &how);
         assert_non_null(renderer);
-        assert_int_equal(renderer_set_scene(renderer, d.scene), !cases[i].said);
-        if (cases[i].said)
-            assert_string_equal(d.gl->error, cases[i].said);
+        assert_int_equal(renderer_set_scene(renderer, d.scene), !cases[i].reported);
+        if (cases[i].reported)
+            assert_string_equal(d.gl->error, cases[i].reported);
         renderer_close(renderer);
         close_scene(&d);
     }

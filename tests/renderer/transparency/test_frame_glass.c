@@ -411,7 +411,7 @@ static void room(void **state)
     (void)state;
     static const struct {
         RendererOptions options;
-        const char *said; /* by the graph, or of the fault */
+        const char *reported; /* by the graph, or of the fault */
     } cases[] = {
         {{.transparency = NULL}, "a buffer 4, and 16 a fragment: 624 bytes for 24"},
         {{.list_bytes = 624}, "a buffer 4, and 16 a fragment: 624 bytes for 24"},
@@ -440,10 +440,10 @@ static void room(void **state)
         GlContext *gl = frame_context();
         RendererOptions with = cases[i].options;
         with.compile = &options;
-        char *said = frame_graph_or_fault(gl, scene, &with);
-        if (!strstr(said, cases[i].said))
-            fail_msg("%s", said);
-        free(said);
+        char *reported = frame_graph_or_fault(gl, scene, &with);
+        if (!strstr(reported, cases[i].reported))
+            fail_msg("%s", reported);
+        free(reported);
         gl_close(gl);
     }
     frame_forget(scene, document);
