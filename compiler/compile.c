@@ -62,12 +62,12 @@ double compile_displacement_bound(const Ir *ir)
     double given[4], size = 0;
     if (!output)
         return 0;
-    const Ranges ranges = range_find(ir, &arena, FIELD_LANES);
-    for (int lane = 0; lane < ir_lanes(ir, output->value); lane++) {
-        const Interval x = range_of(&ranges, ir, output->value, lane);
+    const Ranges ranges = range_find(ir, &arena, FIELD_COMPONENTS);
+    for (int component = 0; component < ir_components(ir, output->value); component++) {
+        const Interval x = range_of(&ranges, ir, output->value, component);
         const double most = fmax(fabs(x.low), fabs(x.high));
         /* tangents and normal need not be orthogonal */
-        size = ir_lanes(ir, output->value) == 4 ? fmax(size, most) : size + most;
+        size = ir_components(ir, output->value) == 4 ? fmax(size, most) : size + most;
     }
     arena_free(&arena);
     const Value *bound = graph_displacement(ir->displaced).bound;

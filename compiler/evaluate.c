@@ -131,8 +131,9 @@ MatcNumbers matc_eval_slot(const MatcDocument *d, int material, const char *poin
     if (numbers.fault)
         return numbers;
     choice_job(&whole, &job);
-    numbers.lanes = type_table[slot_table[job.slot].type].lanes;
-    memcpy(numbers.lane, values.lane[job.slot], (size_t)numbers.lanes * sizeof *numbers.lane);
+    numbers.components = type_table[slot_table[job.slot].type].components;
+    memcpy(numbers.component, values.component[job.slot],
+           (size_t)numbers.components * sizeof *numbers.component);
     return numbers;
 }
 
@@ -146,9 +147,9 @@ char *matc_eval(const MatcDocument *d, int material, const char *point, const Ma
     const char *wrong = evaluate(d, material, point, &whole, &values);
     for (int slot = 0; !wrong && slot < SLOT_COUNT; slot++) {
         text_put(&out, slot_table[slot].name);
-        for (int i = 0; i < type_table[slot_table[slot].type].lanes; i++) {
+        for (int i = 0; i < type_table[slot_table[slot].type].components; i++) {
             text_char(&out, ' ');
-            text_double(&out, values.lane[slot][i]);
+            text_double(&out, values.component[slot][i]);
         }
         text_char(&out, '\n');
     }
@@ -196,23 +197,23 @@ MatcMoves matc_moves(const MatcDocument *d, int material, const MatcOptions *giv
     return moves;
 }
 
-static void set_lanes(Surface *surface, Group group, const double *from, int count)
+static void set_components(Surface *surface, Group group, const double *from, int count)
 {
-    for (int lane = 0; lane < count; lane++)
-        surface->root[channel_id(group, lane)] = from[lane];
+    for (int component = 0; component < count; component++)
+        surface->root[channel_id(group, component)] = from[component];
 }
 
 static Surface surface_of(const MatcPoint *point, double time)
 {
     Surface surface;
     oracle_surface_default(&surface);
-    set_lanes(&surface, GROUP_T, &time, 1);
-    set_lanes(&surface, GROUP_P, point->position, 3);
-    set_lanes(&surface, GROUP_N, point->normal, 3);
-    set_lanes(&surface, GROUP_DU, point->tangent_u, 3);
-    set_lanes(&surface, GROUP_DV, point->tangent_v, 3);
-    set_lanes(&surface, GROUP_X, point->local, 3);
-    set_lanes(&surface, GROUP_U, point->uv, 2);
+    set_components(&surface, GROUP_T, &time, 1);
+    set_components(&surface, GROUP_P, point->position, 3);
+    set_components(&surface, GROUP_N, point->normal, 3);
+    set_components(&surface, GROUP_DU, point->tangent_u, 3);
+    set_components(&surface, GROUP_DV, point->tangent_v, 3);
+    set_components(&surface, GROUP_X, point->local, 3);
+    set_components(&surface, GROUP_U, point->uv, 2);
     memcpy(surface.local_u, point->local_u, sizeof surface.local_u);
     memcpy(surface.local_v, point->local_v, sizeof surface.local_v);
     return surface;
@@ -222,8 +223,8 @@ static Surface surface_of(const MatcPoint *point, double time)
 static void add_along(double position[3], const double v[3], double by)
 {
     const double least = 1e-30, size = fmax(vec3_length(v), least);
-    for (int lane = 0; lane < 3; lane++)
-        position[lane] += by * v[lane] / size;
+    for (int component = 0; component < 3; component++)
+        position[component] += by * v[component] / size;
 }
 
 static bool has_material(const MatcDocument *d, int material)
@@ -297,16 +298,16 @@ bool matc_move(const MatcDocument *d, int material, const MatcOptions *given, Ma
     return fine;
 }
 
-bool matc_set_default(MatcDocument *d, const char *param, const double *lanes, int count,
+bool matc_set_default(MatcDocument *d, const char *param, const double *components, int count,
                       double *before)
 {
-    for (int i = 0; d && d->graph && param && lanes && i < d->graph->uniform_count; i++) {
+    for (int i = 0; d && d->graph && param && components && i < d->graph->uniform_count; i++) {
         Uniform *uniform = d->graph->uniforms[i];
-        if (strcmp(uniform->name, param) != 0 || type_table[uniform->type].lanes != count)
+        if (strcmp(uniform->name, param) != 0 || type_table[uniform->type].components != count)
             continue;
         if (before)
             memcpy(before, uniform->initial, sizeof uniform->initial);
-        memcpy(uniform->initial, lanes, (size_t)count * sizeof *lanes);
+        memcpy(uniform->initial, components, (size_t)count * sizeof *components);
         return true;
     }
     return false;

@@ -277,7 +277,7 @@ MATC_API bool matc_solid(const MatcDocument *document, int material, const MatcO
  * NULL) receives the original default. Applies to later compilations, evaluations and
  * displacements; no other thread may use the document meanwhile. Returns false if no param has
  * that name and size. */
-MATC_API bool matc_set_default(MatcDocument *document, const char *param, const double *lanes,
+MATC_API bool matc_set_default(MatcDocument *document, const char *param, const double *components,
                                int count, double *before);
 
 /* Returns a hash of everything that determines the program's text, as 32 hexadecimal digits:
@@ -293,7 +293,7 @@ MATC_API const char *matc_shape(MatcProgram *program);
 typedef struct {
     const char *name;
     const char *type; /* "float", "vec2", "vec3", "vec4", "uint", "uvec4" */
-    int lanes;
+    int components;
     int offset;       /* offset of a member in bytes */
     int member;       /* index in the members of the options, otherwise -1 */
     double values[4]; /* values in the compiled material */
@@ -314,7 +314,7 @@ typedef struct {
      * file. */
     const char *path;
     int width, height;
-    int lanes;                  /* components per texel: 1 or 4 */
+    int components;             /* components per texel: 1 or 4 */
     const unsigned char *bytes; /* a byte per component, divided by 255; or NULL */
     const float *floats;        /* a float per component; or NULL */
     /* Needs all mipmap levels and trilinear filtering; otherwise nearest filtering. */
@@ -345,7 +345,7 @@ MATC_API const char *matc_target_format(const MatcProgram *program, int index);
 typedef struct {
     const char *name;  /* name in the shader */
     const char *param; /* name in the document */
-    int lanes;         /* number of components, 1 to 4 */
+    int components;    /* number of components, 1 to 4 */
     bool whole;        /* an int uniform */
     double initial[4]; /* default value */
 } MatcUniform;
@@ -359,7 +359,7 @@ typedef struct {
     const char *name;      /* name in the document: "color", "wetness" */
     const char *attribute; /* name in the vertex program */
     const char *varying;   /* name in the fragment program */
-    int lanes;             /* number of components, 1 to 4 */
+    int components;        /* number of components, 1 to 4 */
     /* Location of the attribute; GLSL without locations may bind it by name, here or elsewhere. */
     int location;
     double initial[4]; /* default for meshes without the attribute */
@@ -375,8 +375,8 @@ MATC_API char *matc_eval(const MatcDocument *document, int material, const char 
                          const MatcOptions *options, const char **fault);
 /* Value of the slot that the options select (NULL: "diffuse"), as numbers. */
 typedef struct {
-    int lanes; /* components of the slot, 1 to 4; 0: see fault */
-    double lane[4];
+    int components; /* components of the slot, 1 to 4; 0: see fault */
+    double component[4];
     const char *fault;
 } MatcNumbers;
 MATC_API MatcNumbers matc_eval_slot(const MatcDocument *document, int material, const char *point,

@@ -19,7 +19,7 @@ static void list_uniforms(MatcProgram *p, const Graph *graph)
             used[ir_at(p->ir, ref)->payload] = ir_type(p->ir, ref) == TYPE_int ? 2 : 1;
     for (int i = 0; i < graph->uniform_count; i++) {
         const Uniform *u = graph->uniforms[i];
-        MatcUniform uniform = {u->name, u->name, type_table[u->type].lanes, used[i] == 2, {0}};
+        MatcUniform uniform = {u->name, u->name, type_table[u->type].components, used[i] == 2, {0}};
         memcpy(uniform.initial, u->initial, sizeof uniform.initial);
         if (used[i])
             p->uniforms[p->uniform_count++] = uniform;
@@ -34,7 +34,7 @@ static void list_constants(MatcProgram *p)
         const IrConstant *own = &p->ir->constants[i];
         p->constants[i] = (MatcConstant){own->name,
                                          type_table[own->type].name,
-                                         type_table[own->type].lanes,
+                                         type_table[own->type].components,
                                          own->offset,
                                          own->member,
                                          {0}};
@@ -174,8 +174,8 @@ static void list_places(MatcProgram *p)
         Ref value = p->key.places[i].value;
         MatcConstant *place = &p->places[i];
         *place = (MatcConstant){
-            NULL, type_table[ir_type(p->ir, value)].name, ir_lanes(p->ir, value), 0, -1, {0}};
-        memcpy(place->values, ir_numbers(p->ir, value), sizeof(double) * (size_t)place->lanes);
+            NULL, type_table[ir_type(p->ir, value)].name, ir_components(p->ir, value), 0, -1, {0}};
+        memcpy(place->values, ir_numbers(p->ir, value), sizeof(double) * (size_t)place->components);
     }
 }
 
@@ -223,8 +223,8 @@ void matc_constant_block(const MatcProgram *p, void *block)
     for (int i = 0; i < matc_constant_count(p); i++) {
         const MatcConstant *member = &p->constants[i];
         char *at = (char *)block + member->offset;
-        for (int lane = 0; lane < member->lanes; lane++, at += 4) {
-            uint32_t bits = constant_bits(member->values[lane], member->type[0] == 'u');
+        for (int component = 0; component < member->components; component++, at += 4) {
+            uint32_t bits = constant_bits(member->values[component], member->type[0] == 'u');
             memcpy(at, &bits, sizeof bits);
         }
     }

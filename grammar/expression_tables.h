@@ -63,16 +63,16 @@ const char *term_symbol(Term term);
 
 typedef struct {
     const char *name, *doc;
-    Group group;           /* group of channels */
-    const char *lanes;     /* components of the group, letters of xyz; NULL: a constant */
-    double number;         /* value of a constant; default components of an attribute */
-    const char *attribute; /* mesh attribute; NULL: none */
-    Type type;             /* type of the attribute */
+    Group group;            /* group of channels */
+    const char *components; /* components of the group, letters of xyz; NULL: a constant */
+    double number;          /* value of a constant; default components of an attribute */
+    const char *attribute;  /* mesh attribute; NULL: none */
+    Type type;              /* type of the attribute */
 } QuantityRow;
 typedef enum {
-#define CONSTANT(name, number, doc)       QUANTITY_##name,
-#define QUANTITY(name, group, lanes, doc) QUANTITY_##name,
-#define ATTRIBUTE(name, ...)              QUANTITY_##name,
+#define CONSTANT(name, number, doc)            QUANTITY_##name,
+#define QUANTITY(name, group, components, doc) QUANTITY_##name,
+#define ATTRIBUTE(name, ...)                   QUANTITY_##name,
 #include "expression.def"
     QUANTITY_COUNT,
     QUANTITY_none = QUANTITY_COUNT

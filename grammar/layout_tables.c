@@ -6,16 +6,16 @@
 
 const FormatRow format_table[FORMAT_COUNT] = {
     [FORMAT_none] = {"", 0, 0, false, ""},
-#define FORMAT(name, lanes, bits, words, doc) {#name, lanes, bits, words, doc},
+#define FORMAT(name, components, bits, words, doc) {#name, components, bits, words, doc},
 #include "formats.def"
 };
 
 #define IN_FLOATS false
 #define IN_WORDS  true
 const EncodingRow encoding_table[ENCODING_COUNT] = {
-#define ENCODING(code, store, lanes, text)                                                         \
+#define ENCODING(code, store, components, text)                                                    \
     [ENCODING_##code].name = #code, [ENCODING_##code].words = IN_##store,                          \
-    [ENCODING_##code].takes = lanes, [ENCODING_##code].doc = text,
+    [ENCODING_##code].takes = components, [ENCODING_##code].doc = text,
 #define BITS(code, size, at_least, at_most)                                                        \
     [ENCODING_##code].least = at_least, [ENCODING_##code].most = at_most,
 #define CODE(code, to, from) [ENCODING_##code].pack = FN_##to, [ENCODING_##code].unpack = from,
@@ -142,10 +142,10 @@ static const FieldRow field_table[] = {
      false,                                                                                        \
      low,                                                                                          \
      high},
-#define LANE(slot, lane)                   SLOT_##slot, lane
+#define COMPONENT(slot, component)         SLOT_##slot, component
 #define PAIR(layout, encoding, bits, a, b) {ENCODING_##encoding, bits, 2, {{a}, {b}}, false, 0, 0},
 #include "layouts.def"
-#undef LANE
+#undef COMPONENT
 };
 
 /* Index ranges of fields, as for parameters: LAYOUT begins the first case, CASE another one.

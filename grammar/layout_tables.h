@@ -6,14 +6,14 @@
 
 typedef enum {
     FORMAT_none, /* terminates a list of formats */
-#define FORMAT(name, lanes, bits, words, doc) FORMAT_##name,
+#define FORMAT(name, components, bits, words, doc) FORMAT_##name,
 #include "formats.def"
     FORMAT_COUNT
 } Format;
 typedef struct {
     const char *name;
-    int lanes, bits; /* bits of a component */
-    bool words;      /* unsigned integers, not floats */
+    int components, bits; /* bits of a component */
+    bool words;           /* unsigned integers, not floats */
     const char *doc;
 } FormatRow;
 extern const FormatRow format_table[FORMAT_COUNT];
@@ -36,16 +36,16 @@ typedef struct {
 } EncodingRow;
 extern const EncodingRow encoding_table[ENCODING_COUNT];
 
-enum { FIELD_LANES = 4, LAYOUT_TARGETS = 8 };
+enum { FIELD_COMPONENTS = 4, LAYOUT_TARGETS = 8 };
 typedef struct {
     Slot slot;
-    int lane;
-} SlotLane;
+    int component;
+} SlotComponent;
 typedef struct {
     Encoding encoding;
     int bits;
     int count; /* number of stored components */
-    SlotLane source[FIELD_LANES];
+    SlotComponent source[FIELD_COMPONENTS];
     bool gray; /* one stored component serves all components of its slot */
     /* Range of the stored values, if the encoding takes a range; both 0: the encoding's own
      * range. */
@@ -68,7 +68,7 @@ typedef enum {
 /* A slot that is constant for all materials: it is not stored, but unpacking yields it. */
 typedef struct {
     Slot slot;
-    double value[FIELD_LANES];
+    double value[FIELD_COMPONENTS];
 } FixedRow;
 /* The fields of a case, for materials that have only some of the slots. */
 typedef struct {

@@ -31,9 +31,9 @@
 #define VALUE_Name         .value = SCENE_VALUE_name, .param.type = PARAM_Image
 #define PART_ONE           SCENE_VALUE_one
 #define PART_LIST          SCENE_VALUE_list
-#define NONE               .param.lanes = 0
-#define D(x)               .param.lanes = 1, .param.init = {x}
-#define D3(x, y, z)        .param.lanes = 3, .param.init = {x, y, z}
+#define NONE               .param.components = 0
+#define D(x)               .param.components = 1, .param.init = {x}
+#define D3(x, y, z)        .param.components = 3, .param.init = {x, y, z}
 #define ANY                .param.low = -INFINITY, .param.high = INFINITY
 #define RANGE(least, most) .param.low = least, .param.high = most
 #define NAMED(of, text, line)                                                                      \

@@ -11,12 +11,12 @@
 #include <string.h>
 
 const TypeRow type_table[TYPE_COUNT] = {
-#define TYPE(name, glsl, lanes, doc) {glsl, lanes, doc},
+#define TYPE(name, glsl, components, doc) {glsl, components, doc},
 #include "types.def"
 };
 
 const ChannelRow channel_table[CHANNEL_COUNT] = {
-#define CHANNEL(name, group, lane, doc) {#name, GROUP_##group, lane, doc},
+#define CHANNEL(name, group, component, doc) {#name, GROUP_##group, component, doc},
 #include "channels.def"
 };
 
@@ -110,7 +110,7 @@ bool param_is_number(int param)
 {
     const ParamRow *row = &param_table[param];
     return row->type == PARAM_Map &&
-           ((row->lanes == 1 && !param_is_colored(param)) || says_number(param));
+           ((row->components == 1 && !param_is_colored(param)) || says_number(param));
 }
 
 bool param_is_unstored(int param)
@@ -174,7 +174,8 @@ const KindRow kind_table[KIND_COUNT] = {
 #define FAR(kind, what)         [KIND_##kind].far = FAR_##what,
 #define EXAMPLE(kind, document) [KIND_##kind].example = document,
 #define MOVES(kind, which)      [KIND_##kind].moves = MOVES_##which,
-#define STEP(kind, size, lanes) [KIND_##kind].step = size, [KIND_##kind].step_lanes = lanes,
+#define STEP(kind, size, components)                                                               \
+    [KIND_##kind].step = size, [KIND_##kind].step_components = components,
 #include "materials.def"
 #include "maps.def"
 };
@@ -276,7 +277,7 @@ const NormalsRow normals_table[NORMALS_COUNT] = {
 };
 
 const TexelsRow texels_table[TEXELS_COUNT] = {
-#define TEXELS(name, lanes, bits, doc) {#name, lanes, bits, doc},
+#define TEXELS(name, components, bits, doc) {#name, components, bits, doc},
 #include "textures.def"
 };
 
@@ -567,20 +568,20 @@ Quantity quantity_named(const char *name, size_t size)
 int quantity_width(Quantity quantity)
 {
     const QuantityRow *row = &quantity_table[quantity];
-    return row->lanes ? (int)strlen(row->lanes) : type_table[row->type].lanes;
+    return row->components ? (int)strlen(row->components) : type_table[row->type].components;
 }
 
 const VectorRow vector_table[] = {
-#define VECTOR(name, lanes, doc) {#name, doc, lanes},
+#define VECTOR(name, components, doc) {#name, doc, components},
 #include "expression.def"
 };
 const int vector_count = sizeof vector_table / sizeof *vector_table;
 
 int vector_named(const char *name, size_t size)
 {
-#define VECTOR(name, lanes, doc)                                                                   \
+#define VECTOR(name, components, doc)                                                              \
     if (IS(name))                                                                                  \
-        return lanes;
+        return components;
 #include "expression.def"
     return 0;
 }

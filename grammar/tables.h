@@ -5,14 +5,14 @@
 #include <stdint.h>
 
 typedef enum {
-#define TYPE(name, glsl, lanes, doc) TYPE_##name,
+#define TYPE(name, glsl, components, doc) TYPE_##name,
 #include "types.def"
     TYPE_COUNT
 } Type;
 
 typedef struct {
     const char *name; /* name in the IR's text and in GLSL */
-    int lanes;        /* number of components */
+    int components;   /* number of components */
     const char *doc;
 } TypeRow;
 extern const TypeRow type_table[TYPE_COUNT];
@@ -26,16 +26,16 @@ typedef enum {
 /* True for groups that the draw call sets, independent of the queried maps. */
 static inline bool group_is_draws(Group group) { return group > GROUP_IOR; }
 
-enum { LANES_OF_GROUP = 4 }; /* a channel's id is LANES_OF_GROUP * group + component */
+enum { COMPONENTS_OF_GROUP = 4 }; /* a channel's id is COMPONENTS_OF_GROUP * group + component */
 
 typedef struct {
     const char *name; /* name for --eval: "px", "u", ... */
     Group group;
-    int lane;
+    int component;
     const char *doc;
 } ChannelRow;
 enum {
-#define CHANNEL(name, group, lane, doc) CHANNEL_ROW_##name,
+#define CHANNEL(name, group, component, doc) CHANNEL_ROW_##name,
 #include "channels.def"
     CHANNEL_COUNT
 };
@@ -114,7 +114,7 @@ typedef struct {
     Kind kind; /* the kind that has the parameter */
     const char *name;
     ParamKind type;
-    int lanes;      /* components of the default: 0 for none */
+    int components; /* components of the default: 0 for none */
     double init[3]; /* default value */
     double low, high;
     const char *doc;
@@ -164,7 +164,7 @@ typedef struct {
     unsigned moves;          /* Moved: coordinates that differ from its input's */
     double step;             /* step of its finite difference; 0: a texel */
     /* Number of coordinate components of the difference; 0: neither discontinuous nor an image. */
-    int step_lanes;
+    int step_components;
 } KindRow;
 extern const KindRow kind_table[KIND_COUNT];
 
@@ -327,13 +327,13 @@ typedef struct {
 extern const NormalsRow normals_table[NORMALS_COUNT];
 
 typedef enum {
-#define TEXELS(name, lanes, bits, doc) TEXELS_##name,
+#define TEXELS(name, components, bits, doc) TEXELS_##name,
 #include "textures.def"
     TEXELS_COUNT
 } Texels;
 typedef struct {
     const char *name;
-    int lanes, bits; /* bits of a component */
+    int components, bits; /* bits of a component */
     const char *doc;
 } TexelsRow;
 extern const TexelsRow texels_table[TEXELS_COUNT];

@@ -151,13 +151,14 @@ static inline void exr_put_file(PictureFile *file, const ExrHeader *h)
 }
 
 /* Expected texel of the picture, by the names of channels. */
-static inline float exr_wanted(const ExrHeader *h, int lane, int x, int y)
+static inline float exr_wanted(const ExrHeader *h, int component, int x, int y)
 {
     const bool is_grey = strchr(h->channels, 'Y') && !strpbrk(h->channels, "RGB");
-    const char channel = is_grey && lane < 3 ? 'Y' : "RGBA"[lane];
+    const char channel = is_grey && component < 3 ? 'Y' : "RGBA"[component];
     if (x < h->data[0] || x > h->data[2] || y < h->data[1] || y > h->data[3])
         return 0;
-    return strchr(h->channels, channel) ? (float)exr_number(channel, x, y) : (float)(lane == 3);
+    return strchr(h->channels, channel) ? (float)exr_number(channel, x, y)
+                                        : (float)(component == 3);
 }
 
 static inline void exr_check(PictureFile *file, const ExrHeader *h, bool opaque)

@@ -13,11 +13,11 @@ typedef struct Rule {
     int level;        /* of an operator; 0: a call */
     const char *parts;
     int width; /* 0: condition, -1: that of its 'g' parts */
-    Number (*lane)(const Number *x);
-    void (*whole)(const Number x[5][4], int lanes, Number *result);
+    Number (*component)(const Number *x);
+    void (*whole)(const Number x[5][4], int components, Number *result);
 } Rule;
 
-#define RULE_LANE(name, value)                                                                     \
+#define RULE_COMPONENT(name, value)                                                                \
     static Number name(const Number *x) { return value; }
 static Number over(Number a, Number b) { return fabsl(b) < 1e-30L ? 0 : a / b; }
 static Number cut(Number a, Number low, Number high) { return a < low ? low : a > high ? high : a; }
@@ -27,44 +27,44 @@ static Number ramp(Number low, Number high, Number x)
 }
 static Number signum(Number a) { return a > 0 ? 1 : a < 0 ? -1 : 0; }
 static Number raised(Number a, Number b) { return fminl(powl(fmaxl(a, 1e-37L), b), 1e37L); }
-RULE_LANE(sum, x[0] + x[1])
-RULE_LANE(difference, x[0] - x[1])
-RULE_LANE(product, x[0] * x[1])
-RULE_LANE(ratio, over(x[0], x[1]))
-RULE_LANE(rest, fabsl(x[1]) < 1e-30L ? 0 : x[0] - x[1] * floorl(x[0] / x[1]))
-RULE_LANE(power, raised(x[0], x[1]))
-RULE_LANE(square, x[0] * x[0])
-RULE_LANE(minus_cube, over(1, x[0] * x[0] * x[0]))
-RULE_LANE(minus, -x[0])
-RULE_LANE(less, x[0] < x[1])
-RULE_LANE(not_more, x[0] <= x[1])
-RULE_LANE(more, x[0] > x[1])
-RULE_LANE(not_less, x[0] >= x[1])
-RULE_LANE(same, x[0] == x[1])
-RULE_LANE(other, x[0] != x[1])
-RULE_LANE(both, x[0] != 0 && x[1] != 0)
-RULE_LANE(any, x[0] != 0 || x[1] != 0)
-RULE_LANE(not, x[0] == 0)
-RULE_LANE(choice, x[0] != 0 ? x[1] : x[2])
-RULE_LANE(size, fabsl(x[0]))
-RULE_LANE(sign_of, signum(x[0]))
-RULE_LANE(below, floorl(x[0]))
-RULE_LANE(above, ceill(x[0]))
-RULE_LANE(nearest, floorl(x[0] + .5L))
-RULE_LANE(whole, truncl(x[0]))
-RULE_LANE(part, x[0] - floorl(x[0]))
-RULE_LANE(root, sqrtl(fmaxl(x[0], 0)))
-RULE_LANE(one_over_root, over(1, sqrtl(fmaxl(x[0], 0))))
-RULE_LANE(exponential, expl(fminl(x[0], 88)))
-RULE_LANE(two_to, exp2l(fminl(x[0], 127)))
-RULE_LANE(logarithm, logl(fmaxl(x[0], 1e-37L)))
-RULE_LANE(logarithm2, log2l(fmaxl(x[0], 1e-37L)))
-RULE_LANE(sine, sinl(x[0]))
-RULE_LANE(cosine, cosl(x[0]))
-RULE_LANE(tangent, tanl(x[0]))
-RULE_LANE(arc_sine, asinl(cut(x[0], -1, 1)))
-RULE_LANE(arc_cosine, acosl(cut(x[0], -1, 1)))
-RULE_LANE(arc_tangent, atanl(x[0]))
+RULE_COMPONENT(sum, x[0] + x[1])
+RULE_COMPONENT(difference, x[0] - x[1])
+RULE_COMPONENT(product, x[0] * x[1])
+RULE_COMPONENT(ratio, over(x[0], x[1]))
+RULE_COMPONENT(rest, fabsl(x[1]) < 1e-30L ? 0 : x[0] - x[1] * floorl(x[0] / x[1]))
+RULE_COMPONENT(power, raised(x[0], x[1]))
+RULE_COMPONENT(square, x[0] * x[0])
+RULE_COMPONENT(minus_cube, over(1, x[0] * x[0] * x[0]))
+RULE_COMPONENT(minus, -x[0])
+RULE_COMPONENT(less, x[0] < x[1])
+RULE_COMPONENT(not_more, x[0] <= x[1])
+RULE_COMPONENT(more, x[0] > x[1])
+RULE_COMPONENT(not_less, x[0] >= x[1])
+RULE_COMPONENT(same, x[0] == x[1])
+RULE_COMPONENT(other, x[0] != x[1])
+RULE_COMPONENT(both, x[0] != 0 && x[1] != 0)
+RULE_COMPONENT(any, x[0] != 0 || x[1] != 0)
+RULE_COMPONENT(not, x[0] == 0)
+RULE_COMPONENT(choice, x[0] != 0 ? x[1] : x[2])
+RULE_COMPONENT(size, fabsl(x[0]))
+RULE_COMPONENT(sign_of, signum(x[0]))
+RULE_COMPONENT(below, floorl(x[0]))
+RULE_COMPONENT(above, ceill(x[0]))
+RULE_COMPONENT(nearest, floorl(x[0] + .5L))
+RULE_COMPONENT(whole, truncl(x[0]))
+RULE_COMPONENT(part, x[0] - floorl(x[0]))
+RULE_COMPONENT(root, sqrtl(fmaxl(x[0], 0)))
+RULE_COMPONENT(one_over_root, over(1, sqrtl(fmaxl(x[0], 0))))
+RULE_COMPONENT(exponential, expl(fminl(x[0], 88)))
+RULE_COMPONENT(two_to, exp2l(fminl(x[0], 127)))
+RULE_COMPONENT(logarithm, logl(fmaxl(x[0], 1e-37L)))
+RULE_COMPONENT(logarithm2, log2l(fmaxl(x[0], 1e-37L)))
+RULE_COMPONENT(sine, sinl(x[0]))
+RULE_COMPONENT(cosine, cosl(x[0]))
+RULE_COMPONENT(tangent, tanl(x[0]))
+RULE_COMPONENT(arc_sine, asinl(cut(x[0], -1, 1)))
+RULE_COMPONENT(arc_cosine, acosl(cut(x[0], -1, 1)))
+RULE_COMPONENT(arc_tangent, atanl(x[0]))
 /* Where no two ways of computing can agree: an angle behind the origin, where a zero has two sides;
  * fractions of what has none. */
 static bool rule_unsure;
@@ -73,82 +73,86 @@ static Number unsure(bool is, Number value)
     rule_unsure |= is;
     return value;
 }
-RULE_LANE(angle, x[0] == 0 && x[1] == 0 ? 0 : unsure(x[0] == 0 && x[1] < 0, atan2l(x[0], x[1])))
-RULE_LANE(hyper_sine, sinhl(cut(x[0], -88, 88)))
-RULE_LANE(hyper_cosine, coshl(cut(x[0], -88, 88)))
-RULE_LANE(hyper_tangent, tanhl(x[0]))
-RULE_LANE(in_degrees, x[0] * 57.295779513082320876798154814105L)
-RULE_LANE(in_radians, x[0] * 0.017453292519943295769236907684886L)
-RULE_LANE(lesser, x[0] < x[1] ? x[0] : x[1])
-RULE_LANE(greater, x[0] > x[1] ? x[0] : x[1])
-RULE_LANE(signed_power, signum(x[0]) * raised(fabsl(x[0]), x[1]))
-RULE_LANE(hypotenuse, sqrtl(x[0] * x[0] + x[1] * x[1]))
-RULE_LANE(clamped, fminl(fmaxl(x[0], x[1]), x[2]))
-RULE_LANE(saturated, cut(x[0], 0, 1))
-RULE_LANE(inverted, 1 - x[0])
-RULE_LANE(mixed, x[0] + (x[1] - x[0]) * x[2])
-RULE_LANE(stepped, x[1] < x[0] ? 0 : 1)
-RULE_LANE(linear, ramp(x[0], x[1], x[2]))
-RULE_LANE(smooth,
-          ramp(x[0], x[1], x[2]) * ramp(x[0], x[1], x[2]) * (3 - 2 * ramp(x[0], x[1], x[2])))
-RULE_LANE(mapped, x[3] + (x[4] - x[3]) * over(x[0] - x[1], x[2] - x[1]))
-RULE_LANE(contrasted, (x[0] - x[2]) * x[1] + x[2])
-RULE_LANE(biased, over(x[0], (over(1, x[1]) - 2) * (1 - x[0]) + 1))
-RULE_LANE(gained, x[0] < .5 ? over(x[0], (over(1, x[1]) - 2) * (1 - 2 * x[0]) + 1)
-                            : 1 - over(1 - x[0], (over(1, x[1]) - 2) * (2 * x[0] - 1) + 1))
+RULE_COMPONENT(angle,
+               x[0] == 0 && x[1] == 0 ? 0 : unsure(x[0] == 0 && x[1] < 0, atan2l(x[0], x[1])))
+RULE_COMPONENT(hyper_sine, sinhl(cut(x[0], -88, 88)))
+RULE_COMPONENT(hyper_cosine, coshl(cut(x[0], -88, 88)))
+RULE_COMPONENT(hyper_tangent, tanhl(x[0]))
+RULE_COMPONENT(in_degrees, x[0] * 57.295779513082320876798154814105L)
+RULE_COMPONENT(in_radians, x[0] * 0.017453292519943295769236907684886L)
+RULE_COMPONENT(lesser, x[0] < x[1] ? x[0] : x[1])
+RULE_COMPONENT(greater, x[0] > x[1] ? x[0] : x[1])
+RULE_COMPONENT(signed_power, signum(x[0]) * raised(fabsl(x[0]), x[1]))
+RULE_COMPONENT(hypotenuse, sqrtl(x[0] * x[0] + x[1] * x[1]))
+RULE_COMPONENT(clamped, fminl(fmaxl(x[0], x[1]), x[2]))
+RULE_COMPONENT(saturated, cut(x[0], 0, 1))
+RULE_COMPONENT(inverted, 1 - x[0])
+RULE_COMPONENT(mixed, x[0] + (x[1] - x[0]) * x[2])
+RULE_COMPONENT(stepped, x[1] < x[0] ? 0 : 1)
+RULE_COMPONENT(linear, ramp(x[0], x[1], x[2]))
+RULE_COMPONENT(smooth,
+               ramp(x[0], x[1], x[2]) * ramp(x[0], x[1], x[2]) * (3 - 2 * ramp(x[0], x[1], x[2])))
+RULE_COMPONENT(mapped, x[3] + (x[4] - x[3]) * over(x[0] - x[1], x[2] - x[1]))
+RULE_COMPONENT(contrasted, (x[0] - x[2]) * x[1] + x[2])
+RULE_COMPONENT(biased, over(x[0], (over(1, x[1]) - 2) * (1 - x[0]) + 1))
+RULE_COMPONENT(gained, x[0] < .5 ? over(x[0], (over(1, x[1]) - 2) * (1 - 2 * x[0]) + 1)
+                                 : 1 - over(1 - x[0], (over(1, x[1]) - 2) * (2 * x[0] - 1) + 1))
 
-static Number dotted(const Number *a, const Number *b, int lanes)
+static Number dotted(const Number *a, const Number *b, int components)
 {
     Number total = 0;
-    for (int i = 0; i < lanes; i++)
+    for (int i = 0; i < components; i++)
         total += a[i] * b[i];
     return total;
 }
-#define RULE_WHOLE(name) static void name(const Number x[5][4], int lanes, Number *r)
+#define RULE_WHOLE(name) static void name(const Number x[5][4], int components, Number *r)
 #define ROWS(a, b, c, d) r[0] = (a), r[1] = (b), r[2] = (c), r[3] = (d)
-RULE_WHOLE(mean) { r[0] = dotted(x[0], (const Number[]){1, 1, 1, 1}, lanes) / lanes; }
+RULE_WHOLE(mean) { r[0] = dotted(x[0], (const Number[]){1, 1, 1, 1}, components) / components; }
 RULE_WHOLE(most)
 {
     r[0] = x[0][0];
-    for (int i = 1; i < lanes; i++)
+    for (int i = 1; i < components; i++)
         r[0] = x[0][i] > r[0] ? x[0][i] : r[0];
 }
 RULE_WHOLE(least)
 {
     r[0] = x[0][0];
-    for (int i = 1; i < lanes; i++)
+    for (int i = 1; i < components; i++)
         r[0] = x[0][i] < r[0] ? x[0][i] : r[0];
 }
-RULE_WHOLE(bright) { (void)lanes, r[0] = .2126L * x[0][0] + .7152L * x[0][1] + .0722L * x[0][2]; }
-RULE_WHOLE(inner) { r[0] = dotted(x[0], x[1], lanes); }
-RULE_WHOLE(norm) { r[0] = sqrtl(dotted(x[0], x[0], lanes)); }
+RULE_WHOLE(bright)
+{
+    (void)components, r[0] = .2126L * x[0][0] + .7152L * x[0][1] + .0722L * x[0][2];
+}
+RULE_WHOLE(inner) { r[0] = dotted(x[0], x[1], components); }
+RULE_WHOLE(norm) { r[0] = sqrtl(dotted(x[0], x[0], components)); }
 RULE_WHOLE(apart)
 {
     Number d[4];
     for (int i = 0; i < 4; i++)
         d[i] = x[0][i] - x[1][i];
-    r[0] = sqrtl(dotted(d, d, lanes));
+    r[0] = sqrtl(dotted(d, d, components));
 }
 RULE_WHOLE(outer)
 {
     const Number *a = x[0], *b = x[1];
-    (void)lanes,
+    (void)components,
         ROWS(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0], 0);
 }
 RULE_WHOLE(unit)
 {
     const Number n = sqrtl(dotted(x[0], x[0], 3));
-    (void)lanes, ROWS(x[0][0] / n, x[0][1] / n, x[0][2] / n, 0);
+    (void)components, ROWS(x[0][0] / n, x[0][1] / n, x[0][2] / n, 0);
 }
 RULE_WHOLE(mirrored)
 {
     const Number k = 2 * dotted(x[0], x[1], 3);
-    (void)lanes, ROWS(x[0][0] - k * x[1][0], x[0][1] - k * x[1][1], x[0][2] - k * x[1][2], 0);
+    (void)components, ROWS(x[0][0] - k * x[1][0], x[0][1] - k * x[1][1], x[0][2] - k * x[1][2], 0);
 }
 RULE_WHOLE(turned)
 {
     const Number c = cosl(x[1][0]), s = sinl(x[1][0]);
-    (void)lanes, ROWS(c * x[0][0] - s * x[0][1], s * x[0][0] + c * x[0][1], 0, 0);
+    (void)components, ROWS(c * x[0][0] - s * x[0][1], s * x[0][0] + c * x[0][1], 0, 0);
 }
 /* By sixths of the hue, as textbooks have it. */
 RULE_WHOLE(from_hsv)
@@ -158,7 +162,7 @@ RULE_WHOLE(from_hsv)
     const Number p = v * (1 - s), q = v * (1 - s * f), t = v * (1 - s * (1 - f));
     const Number table[6][3] = {{v, t, p}, {q, v, p}, {p, v, t}, {p, q, v}, {t, p, v}, {v, p, q}};
     const Number *row = table[(int)h % 6];
-    (void)lanes, ROWS(row[0], row[1], row[2], 0);
+    (void)components, ROWS(row[0], row[1], row[2], 0);
 }
 RULE_WHOLE(to_hsv)
 {
@@ -170,19 +174,19 @@ RULE_WHOLE(to_hsv)
                : high == green ? 2 + (blue - red) / c
                                : 4 + (red - green) / c;
     h /= 6;
-    (void)lanes, ROWS(h - floorl(h), over(c, high), high, 0);
+    (void)components, ROWS(h - floorl(h), over(c, high), high, 0);
 }
 RULE_WHOLE(chess)
 {
     const Number n = floorl(x[0][0]) + floorl(x[0][1]);
-    (void)lanes, r[0] = unsure(fabsl(n) > 1e15L, n - 2 * floorl(n / 2));
+    (void)components, r[0] = unsure(fabsl(n) > 1e15L, n - 2 * floorl(n / 2));
 }
-RULE_WHOLE(pair) { (void)lanes, ROWS(x[0][0], x[1][0], 0, 0); }
-RULE_WHOLE(triple) { (void)lanes, ROWS(x[0][0], x[1][0], x[2][0], 0); }
-RULE_WHOLE(behind) { (void)lanes, ROWS(x[0][0], x[0][1], x[1][0], 0); }
-RULE_WHOLE(four) { (void)lanes, ROWS(x[0][0], x[0][1], x[0][2], x[1][0]); }
-RULE_WHOLE(backward) { (void)lanes, ROWS(x[0][2], x[0][1], x[0][0], 0); }
-RULE_WHOLE(second) { (void)lanes, r[0] = x[0][1]; }
+RULE_WHOLE(pair) { (void)components, ROWS(x[0][0], x[1][0], 0, 0); }
+RULE_WHOLE(triple) { (void)components, ROWS(x[0][0], x[1][0], x[2][0], 0); }
+RULE_WHOLE(behind) { (void)components, ROWS(x[0][0], x[0][1], x[1][0], 0); }
+RULE_WHOLE(four) { (void)components, ROWS(x[0][0], x[0][1], x[0][2], x[1][0]); }
+RULE_WHOLE(backward) { (void)components, ROWS(x[0][2], x[0][1], x[0][0], 0); }
+RULE_WHOLE(second) { (void)components, r[0] = x[0][1]; }
 
 enum { CONDITION = 0 }; /* a width */
 enum { OR = 1, AND, COMPARE, SUM, PRODUCT, PREFIX, POWER, CHOOSE = -1, POSTFIX = 99 };

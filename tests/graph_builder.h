@@ -35,10 +35,10 @@ static inline Value build_number(double number)
     return (Value){.kind = VALUE_number, .type = TYPE_float, .number = {number}};
 }
 
-static inline Value build_lanes(int lanes, double x, double y, double z, double w)
+static inline Value build_components(int components, double x, double y, double z, double w)
 {
     static const Type types[] = {TYPE_float, TYPE_float, TYPE_vec2, TYPE_vec3, TYPE_vec4};
-    return (Value){.kind = VALUE_number, .type = types[lanes], .number = {x, y, z, w}};
+    return (Value){.kind = VALUE_number, .type = types[components], .number = {x, y, z, w}};
 }
 
 static inline Value *build_param(const Node *node, int param)
@@ -66,11 +66,12 @@ static inline Node *build_constant(Builder *b, Value value)
 static inline Value build_default(Builder *b, const ParamRow *row)
 {
     Value value = {.kind = VALUE_number, .number = {row->init[0], row->init[1], row->init[2]}};
-    if (row->lanes == 0)
+    if (row->components == 0)
         return (Value){.kind = VALUE_none};
     if (row->type == PARAM_Map) {
-        Value lanes = build_lanes(row->lanes, row->init[0], row->init[1], row->init[2], 0);
-        return (Value){.kind = VALUE_node, .node = build_constant(b, lanes)};
+        Value components =
+            build_components(row->components, row->init[0], row->init[1], row->init[2], 0);
+        return (Value){.kind = VALUE_node, .node = build_constant(b, components)};
     }
     value.type = row->type == PARAM_Vec3   ? TYPE_vec3
                  : row->type == PARAM_Int  ? TYPE_int
@@ -98,7 +99,7 @@ static inline void build_set(Node *node, int param, double number)
 
 static inline void build_set3(Node *node, int param, double x, double y, double z)
 {
-    *build_param(node, param) = build_lanes(3, x, y, z, 0);
+    *build_param(node, param) = build_components(3, x, y, z, 0);
 }
 
 static inline void build_link(Node *node, int param, const Node *input)

@@ -11,10 +11,10 @@
 
 enum { SETS = 16, FIRST_RANDOM = 8 };
 
-/* Every slot of a Phong, by lanes: in this order of the document below. */
+/* Every slot of a Phong, by components: in this order of the document below. */
 static const struct {
     const char *key;
-    int lanes;
+    int components;
 } params[] = {{"diffuse", 4},   {"specular", 3},
               {"shininess", 1}, {"transparency", 3},
               {"ambient", 3},   {"diffuseTransparency", 3},
@@ -36,16 +36,16 @@ static inline void make_values(uint64_t *seed, int set, double values[PARAMS][4]
                                      1e30,  -0.0,  0.5,  1 / 3., 255,   1.0000001};
     enum { HOSTILE = sizeof hostile / sizeof *hostile };
     for (int i = 0; i < PARAMS; i++)
-        for (int lane = 0; lane < 4; lane++) {
+        for (int component = 0; component < 4; component++) {
             double r = random_number(seed);
             bool bright = !strcmp(params[i].key, "emissive") && set % 2;
-            values[i][lane] =
+            values[i][component] =
                 set >= FIRST_RANDOM ? (bright ? exp(24 * r - 12) : r) : hostile[(int)(r * HOSTILE)];
             if (set == 0)
-                values[i][lane] = lane == 3;
-            if (lane == 3) /* alpha: a huge one leaves nothing of the transparency's digits */
-                values[i][lane] = set % 2 ? r : 1;
-            values[i][lane] = (float)values[i][lane];
+                values[i][component] = component == 3;
+            if (component == 3) /* alpha: a huge one leaves nothing of the transparency's digits */
+                values[i][component] = set % 2 ? r : 1;
+            values[i][component] = (float)values[i][component];
         }
 }
 
@@ -66,18 +66,19 @@ static inline void write_document(char *text, size_t room, double values[PARAMS]
 {
     int size = snprintf(text, room, "material: Phong\n");
     for (int i = 0; i < PARAMS; i++) {
-        int lanes = i == 0 && kept == OPAQUE ? 3 : params[i].lanes; /* alpha makes transparent */
+        int components =
+            i == 0 && kept == OPAQUE ? 3 : params[i].components; /* alpha makes transparent */
         if (leaves_out(kept, params[i].key))
             continue;
         size += snprintf(text + size, room - (size_t)size,
                          uniforms ? "%s: { param: p%d, default: " : "%s: ", params[i].key, i);
-        for (int lane = 0; lane < lanes; lane++)
+        for (int component = 0; component < components; component++)
             size += snprintf(text + size, room - (size_t)size, "%s%.17g",
-                             lane                  ? ", "
-                             : params[i].lanes > 1 ? "["
-                                                   : "",
-                             values[i][lane]);
-        size += snprintf(text + size, room - (size_t)size, "%s%s\n", lanes > 1 ? "]" : "",
+                             component                  ? ", "
+                             : params[i].components > 1 ? "["
+                                                        : "",
+                             values[i][component]);
+        size += snprintf(text + size, room - (size_t)size, "%s%s\n", components > 1 ? "]" : "",
                          uniforms ? " }" : "");
     }
 }

@@ -82,7 +82,7 @@ static inline void lobe_mean(double alpha, double found[2])
     }
 }
 
-/* Three lanes of a pixel are by how much both ways differ, of their sum. */
+/* Three components of a pixel are by how much both ways differ, of their sum. */
 static inline void lobe_changes_places(float (*reported)[4], int count)
 {
     double worst = 0;
@@ -93,7 +93,7 @@ static inline void lobe_changes_places(float (*reported)[4], int count)
     assert_true(worst < 2e-5);
 }
 
-/* Lane 0 is what comes of light 1 from all around. */
+/* Component 0 is what comes of light 1 from all around. */
 static inline void lobe_is_white_around(float (*reported)[4], int count)
 {
     double worst = 0;

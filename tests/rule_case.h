@@ -33,8 +33,8 @@ static inline void rule_point(int number, double inputs[INPUT_COUNT][4])
     Choices choices;
     choices_random(&choices, 9, (uint64_t)number);
     for (int i = 0; i < INPUT_COUNT; i++)
-        for (int lane = 0; lane < 4; lane++)
-            inputs[i][lane] =
+        for (int component = 0; component < 4; component++)
+            inputs[i][component] =
                 coordinates[choose(&choices, sizeof coordinates / sizeof *coordinates)];
     inputs[INPUT_front][0] = number % 2;
 }
@@ -49,11 +49,13 @@ static inline void rule_check_values(const char *text, const Ir *before, const I
         rule_point(i, inputs);
         ir_eval(before, &context, (const double(*)[4])inputs, a);
         ir_eval(after, &context, (const double(*)[4])inputs, b);
-        for (int lane = 0; lane < ir_lanes(before, before->outputs[0].value); lane++)
-            if (isfinite(a[0][lane]) &&
-                !(fabs(a[0][lane] - b[0][lane]) <= 1e-13 * fmax(1, fabs(a[0][lane]))))
-                fail_msg("%s: lane %d is %.17g, was %.17g at %g %g %g", text, lane, b[0][lane],
-                         a[0][lane], inputs[INPUT_X][0], inputs[INPUT_X][1], inputs[INPUT_X][2]);
+        for (int component = 0; component < ir_components(before, before->outputs[0].value);
+             component++)
+            if (isfinite(a[0][component]) && !(fabs(a[0][component] - b[0][component]) <=
+                                               1e-13 * fmax(1, fabs(a[0][component]))))
+                fail_msg("%s: lane %d is %.17g, was %.17g at %g %g %g", text, component,
+                         b[0][component], a[0][component], inputs[INPUT_X][0], inputs[INPUT_X][1],
+                         inputs[INPUT_X][2]);
     }
 }
 

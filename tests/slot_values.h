@@ -24,7 +24,7 @@ static inline char *values_at(const char *text, const char *at, char **reported)
     return result;
 }
 
-/* Lanes of a slot out of that text; how many there are. */
+/* Components of a slot out of that text; how many there are. */
 static inline int read_slot(const char *values, const char *slot, double got[3])
 {
     char line[64];
@@ -36,11 +36,12 @@ static inline int read_slot(const char *values, const char *slot, double got[3])
     return sscanf(found + length, "%lf %lf %lf", &got[0], &got[1], &got[2]);
 }
 
-static inline void expect_slot(const char *values, const char *slot, const double *want, int lanes)
+static inline void expect_slot(const char *values, const char *slot, const double *want,
+                               int components)
 {
     double got[3] = {NAN, NAN, NAN};
-    assert_true(read_slot(values, slot, got) >= lanes);
-    for (int i = 0; i < lanes; i++)
+    assert_true(read_slot(values, slot, got) >= components);
+    for (int i = 0; i < components; i++)
         if (!(fabs(got[i] - want[i]) <= CLOSE))
             fail_msg("%s: got %g, want %g\n%s", slot, got[i], want[i], values);
 }

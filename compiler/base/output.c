@@ -120,7 +120,7 @@ static void fill_ktx_header(const MatcTexture *t, unsigned char header[KTX_HEADE
     };
     static const unsigned char identifier[KTX_IDENTIFIER] = {0xAB, 'K',  'T',  'X',  ' ',  '1',
                                                              '1',  0xBB, '\r', '\n', 0x1A, '\n'};
-    const bool floats = t->floats != NULL, rgba = t->lanes == 4;
+    const bool floats = t->floats != NULL, rgba = t->components == 4;
     const uint32_t format = rgba ? GL_RGBA : GL_RED;
     const uint32_t inside = floats ? (rgba ? GL_RGBA32F : GL_R32F) : (rgba ? GL_RGBA8 : GL_R8);
     const uint32_t words[KTX_WORDS] = {ENDIANNESS,
@@ -142,7 +142,7 @@ static void fill_ktx_header(const MatcTexture *t, unsigned char header[KTX_HEADE
 
 char *output_ktx(const MatcTexture *t, size_t *file_size)
 {
-    const size_t row = (size_t)t->width * (size_t)t->lanes * (t->floats ? sizeof(float) : 1);
+    const size_t row = (size_t)t->width * (size_t)t->components * (t->floats ? sizeof(float) : 1);
     const size_t padded = (row + 3) & ~(size_t)3;
     const uint32_t size = (uint32_t)(padded * (size_t)t->height);
     unsigned char *file = calloc(1, KTX_HEADER + sizeof size + size);

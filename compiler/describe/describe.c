@@ -24,26 +24,26 @@ const char *describe_type(const ParamRow *param)
                                           : names[param->type];
 }
 
-static double initial(const ParamRow *param, int lane, const char *preset)
+static double initial(const ParamRow *param, int component, const char *preset)
 {
     for (int i = 0; preset && i < preset_count; i++)
         if (!strcmp(preset_table[i].name, preset) && &param_table[preset_table[i].param] == param)
             return preset_table[i].init;
-    return param->init[lane];
+    return param->init[component];
 }
 
 void describe_default(Text *out, const ParamRow *param, const char *preset)
 {
-    if (!param->lanes) {
+    if (!param->components) {
         text_put(out, "none");
     } else if (param->type == PARAM_Bool) {
         text_put(out, initial(param, 0, preset) != 0 ? "true" : "false");
     } else if (param_is_word(param)) {
         text_put(out, word_table[(int)param->init[0]].name);
-    } else if (param->lanes == 1) {
+    } else if (param->components == 1) {
         text_plain(out, initial(param, 0, preset));
     } else {
-        for (int i = 0; i < param->lanes; i++) {
+        for (int i = 0; i < param->components; i++) {
             text_put(out, i ? ", " : "[");
             text_plain(out, initial(param, i, preset));
         }
@@ -96,7 +96,7 @@ static const char *sample_value(const ParamRow *param)
 static bool is_in_example(const ParamRow *param, bool material)
 {
     static const char moves[] = "displacement";
-    return (param->lanes || sample_value(param)) &&
+    return (param->components || sample_value(param)) &&
            !(material && !strncmp(param->name, moves, sizeof moves - 1));
 }
 
@@ -118,7 +118,7 @@ void describe_example(Text *out, Kind kind, const char *name)
         if (!is_in_example(param, material))
             continue;
         text_format(out, "%s%s: ", indent, param->name);
-        if (param->lanes)
+        if (param->components)
             describe_default(out, param, name);
         else
             text_put(out, sample_value(param));
@@ -128,9 +128,9 @@ void describe_example(Text *out, Kind kind, const char *name)
 
 static void put_slot(Text *out, Slot slot, int from, int count)
 {
-    const int lanes = type_table[slot_table[slot].type].lanes;
+    const int components = type_table[slot_table[slot].type].components;
     text_put(out, slot_table[slot].name);
-    if (lanes == 1 || count == lanes)
+    if (components == 1 || count == components)
         return;
     text_char(out, '.');
     for (int i = 0; i < count; i++)
@@ -139,7 +139,7 @@ static void put_slot(Text *out, Slot slot, int from, int count)
 
 void describe_piece(Text *out, const Piece *piece)
 {
-    const SlotLane *source = &piece->field->source[piece->first];
+    const SlotComponent *source = &piece->field->source[piece->first];
     if (piece->field->gray) {
         text_format(out, "%s, all lanes alike", slot_table[source->slot].name);
         return;
@@ -147,16 +147,16 @@ void describe_piece(Text *out, const Piece *piece)
     for (int i = 0, run; i < piece->count; i += run) {
         run = 1;
         while (i + run < piece->count && source[i + run].slot == source[i].slot &&
-               source[i + run].lane == source[i].lane + run)
+               source[i + run].component == source[i].component + run)
             run++;
         text_put(out, i ? ", " : "");
-        put_slot(out, source[i].slot, source[i].lane, run);
+        put_slot(out, source[i].slot, source[i].component, run);
     }
 }
 
 void describe_allocation(Text *out, const LayoutRow *layout, const Piece *piece)
 {
-    const char *letter = &"rgba"[piece->lane];
+    const char *letter = &"rgba"[piece->component];
     int last = piece->shift + piece->size - 1;
     if (!format_table[layout->formats[piece->target]].words)
         text_format(out, "%d.%.*s", piece->target, piece->size, letter);

@@ -221,7 +221,8 @@ static void explain_channels(const Query *q)
     for (int i = 0; i < CHANNEL_COUNT; i++)
         if (begins(q, channel_table[i].name))
             text_format(q->out, "%s (channel %d)\n%s\n", channel_table[i].name,
-                        LANES_OF_GROUP * (int)channel_table[i].group + channel_table[i].lane,
+                        COMPONENTS_OF_GROUP * (int)channel_table[i].group +
+                            channel_table[i].component,
                         channel_table[i].doc);
 }
 

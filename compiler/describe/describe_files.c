@@ -73,9 +73,9 @@ static void put_slots_definition(Text *out)
 {
     text_put(out, "    \"slot\": {\n      \"type\": \"string\",\n      \"pattern\": \"^(");
     for (int i = 0; i < SLOT_COUNT; i++) {
-        int lanes = type_table[slot_table[i].type].lanes;
-        text_format(out, "%s%s([.][%.*s%.*s]+)?", i ? "|" : "", slot_table[i].name, lanes, "rgba",
-                    lanes, "xyzw");
+        int components = type_table[slot_table[i].type].components;
+        text_format(out, "%s%s([.][%.*s%.*s]+)?", i ? "|" : "", slot_table[i].name, components,
+                    "rgba", components, "xyzw");
     }
     text_put(
         out,
@@ -88,7 +88,7 @@ static void put_slot_constants(Text *out)
 {
     text_put(out, "\"type\": \"object\", \"additionalProperties\": false, \"properties\": {");
     for (int i = 0; i < SLOT_COUNT; i++) {
-        int lanes = type_table[slot_table[i].type].lanes;
+        int components = type_table[slot_table[i].type].components;
         text_format(out, "%s\n          \"%s\": {\"description\": ", i ? "," : "",
                     slot_table[i].name);
         json_string(out, slot_table[i].doc);
@@ -96,7 +96,7 @@ static void put_slot_constants(Text *out)
         text_format(out,
                     "{\"type\": \"array\", \"items\": {\"type\": \"number\"}, \"minItems\": %d, "
                     "\"maxItems\": %d}]}",
-                    lanes, lanes);
+                    components, components);
     }
     text_put(out, "\n        }");
 }

@@ -6,9 +6,10 @@ static void put_constants(Text *out, const FixedRow *fixed, int count)
 {
     for (int i = 0; i < count; i++) {
         text_format(out, "  %-9s  %-42s ", "constant", slot_table[fixed[i].slot].name);
-        for (int lane = 0; lane < type_table[slot_table[fixed[i].slot].type].lanes; lane++) {
+        for (int component = 0; component < type_table[slot_table[fixed[i].slot].type].components;
+             component++) {
             text_char(out, ' ');
-            text_rounded(out, fixed[i].value[lane], 6);
+            text_rounded(out, fixed[i].value[component], 6);
         }
         text_char(out, '\n');
     }

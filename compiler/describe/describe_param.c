@@ -36,7 +36,7 @@ static bool says_same(Arena *arena, int a, int b)
 {
     const ParamRow *x = row_of(a), *y = row_of(b);
     return !strcmp(x->doc, y->doc) && !strcmp(type_of(a), type_of(b)) && x->type == y->type &&
-           x->lanes == y->lanes && !memcmp(x->init, y->init, sizeof x->init) &&
+           x->components == y->components && !memcmp(x->init, y->init, sizeof x->init) &&
            !strcmp(range_of(arena, a), range_of(arena, b));
 }
 

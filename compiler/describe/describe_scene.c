@@ -18,7 +18,7 @@ static const char *default_text(Arena *arena, const SceneParamRow *row)
 {
     Text text = text_new(arena);
     describe_default(&text, &row->param, NULL);
-    if (*row->unit && row->param.lanes)
+    if (*row->unit && row->param.components)
         text_format(&text, " %s", row->unit);
     return text.at;
 }

@@ -52,7 +52,7 @@ void describe_value(Text *out, const ParamRow *param)
         put_limits(out, param);
         text_put(out, "}}");
     }
-    if (param->lanes) {
+    if (param->components) {
         text_put(out, param_is_word(param) ? ", \"default\": \"" : ", \"default\": ");
         describe_default(out, param, NULL);
         text_put(out, param_is_word(param) ? "\"" : "");

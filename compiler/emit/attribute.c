@@ -88,9 +88,9 @@ void attribute_describe(Text *out, const MeshAttribute *attribute)
 {
     json_next(out, "attribute", attribute->name);
     text_put(out, ", \"default\": [");
-    for (int lane = 0; lane < type_table[attribute->type].lanes; lane++) {
-        text_put(out, lane ? ", " : "");
-        text_double(out, attribute->initial[lane]);
+    for (int component = 0; component < type_table[attribute->type].components; component++) {
+        text_put(out, component ? ", " : "");
+        text_double(out, attribute->initial[component]);
     }
     text_put(out, "]}");
 }
@@ -110,7 +110,7 @@ int attribute_list(const Ir *ir, MatcAttribute list[LIMIT_ATTRIBUTES])
         MatcAttribute attribute = {own->name,
                                    strchr(declaration, ' ') + 1,
                                    varying.at,
-                                   type_table[own->type].lanes,
+                                   type_table[own->type].components,
                                    ATTRIBUTE_FIRST_LOCATION + i,
                                    {0}};
         memcpy(attribute.initial, own->initial, sizeof attribute.initial);

@@ -24,20 +24,20 @@ static void put_number(Text *out, Type type, double value)
 static void emit_constant(Text *out, const Ir *ir, Ref ref)
 {
     Type type = ir_type(ir, ref);
-    const double *lane = ir_numbers(ir, ref);
-    int lanes = ir_lanes(ir, ref);
-    if (lanes == 1) {
-        put_number(out, type, lane[0]);
+    const double *component = ir_numbers(ir, ref);
+    int components = ir_components(ir, ref);
+    if (components == 1) {
+        put_number(out, type, component[0]);
         return;
     }
     bool equal = true;
-    for (int i = 1; i < lanes; i++)
-        equal &= lane[i] == lane[0];
+    for (int i = 1; i < components; i++)
+        equal &= component[i] == component[0];
     text_put(out, type_table[type].name);
     text_char(out, '(');
-    for (int i = 0; i < (equal ? 1 : lanes); i++) {
+    for (int i = 0; i < (equal ? 1 : components); i++) {
         text_put(out, i ? ", " : "");
-        put_number(out, type, lane[i]);
+        put_number(out, type, component[i]);
     }
     text_char(out, ')');
 }
@@ -130,14 +130,14 @@ static bool may_be_float(const IrNode *node, int i, bool both_bounds)
 static void put_call(Scope *e, Text *out, Ref ref)
 {
     const IrNode *node = ir_at(e->ir, ref);
-    bool by_lane = op_table[node->op].rule == RULE_widest;
-    bool bounds = node->count == 3 && ir_lanes(e->ir, ir_arg(e->ir, ref, 1)) == 1 &&
-                  ir_lanes(e->ir, ir_arg(e->ir, ref, 2)) == 1;
+    bool by_component = op_table[node->op].rule == RULE_widest;
+    bool bounds = node->count == 3 && ir_components(e->ir, ir_arg(e->ir, ref, 1)) == 1 &&
+                  ir_components(e->ir, ir_arg(e->ir, ref, 2)) == 1;
     text_put(out, op_table[node->op].glsl);
     text_char(out, '(');
     for (int i = 0; i < node->count; i++) {
         Ref arg = ir_arg(e->ir, ref, i);
-        bool widen = by_lane && ir_lanes(e->ir, arg) < ir_lanes(e->ir, ref) &&
+        bool widen = by_component && ir_components(e->ir, arg) < ir_components(e->ir, ref) &&
                      !may_be_float(node, i, bounds);
         text_put(out, i ? ", " : "");
         if (widen) {
@@ -155,11 +155,11 @@ static void put_call(Scope *e, Text *out, Ref ref)
 static void put_vec(Scope *e, Text *out, Ref ref)
 {
     const IrNode *node = ir_at(e->ir, ref);
-    int lanes = type_table[node->type].lanes, equal = 1;
+    int components = type_table[node->type].components, equal = 1;
     while (equal < node->count && ir_arg(e->ir, ref, equal) == ir_arg(e->ir, ref, 0))
         equal++;
-    bool all = equal == node->count && node->count == lanes,
-         three = equal == 3 && lanes == 4 && node->count == 4;
+    bool all = equal == node->count && node->count == components,
+         three = equal == 3 && components == 4 && node->count == 4;
     text_put(out, type_table[node->type].name);
     text_char(out, '(');
     for (int i = all || three ? equal - 1 : 0; i < node->count; i++) {
@@ -174,7 +174,7 @@ static void put_vec(Scope *e, Text *out, Ref ref)
 /* Writes mat3(column, column, column) * vector. */
 static void put_linear(Scope *e, Text *out, Ref ref)
 {
-    text_format(out, "mat%d(", ir_lanes(e->ir, ref));
+    text_format(out, "mat%d(", ir_components(e->ir, ref));
     for (int i = 1; i < ir_at(e->ir, ref)->count; i++) {
         text_put(out, i > 1 ? ", " : "");
         emit_expression(e, out, ir_arg(e->ir, ref, i), PRECEDENCE_any);
@@ -197,7 +197,7 @@ static void put_swizzle(Scope *e, Text *out, Ref ref)
     const IrNode *node = ir_at(e->ir, ref);
     emit_expression(e, out, ir_arg(e->ir, ref, 0), PRECEDENCE_postfix);
     text_char(out, '.');
-    for (int i = 0; i < type_table[node->type].lanes; i++)
+    for (int i = 0; i < type_table[node->type].components; i++)
         text_char(out, "xyzw"[node->payload >> 2 * i & 3]);
 }
 
@@ -261,7 +261,8 @@ static void put_infix(Scope *e, Text *out, Ref ref, int own)
 /* True for a literal written with a minus sign, including -0.0. */
 static bool is_negative(const Ir *ir, Ref ref)
 {
-    return ir_is(ir, ref, OP_const) && ir_lanes(ir, ref) == 1 && signbit(ir_numbers(ir, ref)[0]);
+    return ir_is(ir, ref, OP_const) && ir_components(ir, ref) == 1 &&
+           signbit(ir_numbers(ir, ref)[0]);
 }
 
 static void put_operation(Scope *e, Text *out, Ref ref, int own)

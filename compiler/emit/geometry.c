@@ -17,18 +17,19 @@
 
 /* ROWS_BLOCK: the last binding that every driver supports, shared with the tessellation levels
  * of other programs. Others: guaranteed output limits per input triangle. */
-enum { ROWS_BLOCK = 83, COMPONENTS = 1024, VERTICES = 256, POSITION_COMPONENTS = 4 };
+enum { ROWS_BLOCK = 83, GEOMETRY_COMPONENTS = 1024, VERTICES = 256, POSITION_COMPONENTS = 4 };
 
 static int vertices_most(const Interface *interface)
 {
     int components = POSITION_COMPONENTS;
     for (int i = 0; i < INPUT_COUNT; i++)
         if (interface->inputs[i] && input_table[i].source == SOURCE_varying)
-            components += type_table[input_table[i].type].lanes;
+            components += type_table[input_table[i].type].components;
     for (int i = 0; i < LIMIT_ATTRIBUTES; i++)
         if (interface->attributes[i])
-            components += type_table[interface->ir->graph->attributes[i]->type].lanes;
-    return COMPONENTS / components < VERTICES ? COMPONENTS / components : VERTICES;
+            components += type_table[interface->ir->graph->attributes[i]->type].components;
+    return GEOMETRY_COMPONENTS / components < VERTICES ? GEOMETRY_COMPONENTS / components
+                                                       : VERTICES;
 }
 
 /* A strip set of n rows has n^2 + 2 n vertices. */

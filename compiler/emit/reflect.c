@@ -103,9 +103,9 @@ static void put_uniforms(Text *out, const Ir *ir, const Job *job, const Interfac
         put_typed(out, uniform->name, glsl);
         put_offset(out, job, glsl, size_of_block);
         text_put(out, ", \"default\": [");
-        for (int lane = 0; lane < type_table[uniform->type].lanes; lane++) {
-            text_put(out, lane ? ", " : "");
-            text_double(out, uniform->initial[lane]);
+        for (int component = 0; component < type_table[uniform->type].components; component++) {
+            text_put(out, component ? ", " : "");
+            text_double(out, uniform->initial[component]);
         }
         text_put(out, "]}");
     }

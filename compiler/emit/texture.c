@@ -13,7 +13,7 @@ enum { SAMPLER_ANISOTROPY = 16 };
 
 typedef struct {
     const char *name;
-    int number, width, height, lanes;
+    int number, width, height, components;
     Texels texels;
 } Table;
 
@@ -50,13 +50,13 @@ static MatcTexture of_document(Session *session, const Ir *ir, int i, bool avera
     MatcTexture texture = {.name = emit_texture_name(session, ir, i),
                            .width = t->width,
                            .height = t->height,
-                           .lanes = 1,
+                           .components = 1,
                            .anisotropy = 1};
     texture.format = texels_table[t->texels].name;
     texture.wrap = wrap_name(t->wrap);
     if (t->kind == TEXTURE_image) {
         texture.path = t->image->path;
-        texture.lanes = 4;
+        texture.components = 4;
         texture.bytes = texels_table[t->texels].bits == 8 ? image_bytes(t->image) : NULL;
         texture.mipmaps = averaged || t->sampled;
         texture.anisotropy = t->sampled ? SAMPLER_ANISOTROPY : 1;
@@ -83,7 +83,7 @@ int texture_list(Session *session, const Ir *ir, const Interface *interface, Mat
             (*list)[count++] = (MatcTexture){.name = tables[i].name,
                                              .width = tables[i].width,
                                              .height = tables[i].height,
-                                             .lanes = tables[i].lanes,
+                                             .components = tables[i].components,
                                              .format = texels_table[tables[i].texels].name,
                                              .anisotropy = 1,
                                              .wrap = wrap_name(WORD_Address_repeat)};
@@ -128,7 +128,7 @@ static const unsigned char *xor_table(Session *session)
 }
 
 /* Returns a component as the texture stores it; sRGB is decoded unless the sampler decodes it. */
-static double texel_lane(const IrTexture *texture, size_t number)
+static double texel_component(const IrTexture *texture, size_t number)
 {
     const Image *image = texture->image;
     const double value = image->bits == 8    ? image_bytes(image)[number] / 255.
@@ -142,7 +142,7 @@ static const unsigned short *decoded_words(Session *session, const IrTexture *te
     const size_t count = (size_t)texture->width * (size_t)texture->height * 4;
     unsigned short *words = arena_alloc(session->arena, count * sizeof *words);
     for (size_t i = 0; i < count; i++)
-        words[i] = (unsigned short)(texel_lane(texture, i) * 65535 + .5);
+        words[i] = (unsigned short)(texel_component(texture, i) * 65535 + .5);
     return words;
 }
 
@@ -153,7 +153,7 @@ static const float *decoded_floats(Session *session, const IrTexture *texture)
     const size_t count = (size_t)texture->width * (size_t)texture->height * 4;
     float *floats = arena_alloc(session->arena, count * sizeof *floats);
     for (size_t i = 0; i < count; i++)
-        floats[i] = (float)fmin(fmax(texel_lane(texture, i), -most), most);
+        floats[i] = (float)fmin(fmax(texel_component(texture, i), -most), most);
     return floats;
 }
 

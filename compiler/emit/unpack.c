@@ -87,7 +87,7 @@ static void put_struct(Text *out, const Job *job)
     text_put(out, "};\n\n");
 }
 
-static void put_lanes(Text *out, int from, int count)
+static void put_components(Text *out, int from, int count)
 {
     text_char(out, '.');
     for (int i = 0; i < count; i++)
@@ -99,7 +99,7 @@ static void put_code(Text *out, const LayoutRow *layout, const Piece *piece)
 {
     const FormatRow *format = &format_table[layout->formats[piece->target]];
     text_format(out, "target%d", piece->target);
-    put_lanes(out, piece->lane, format->words ? 1 : piece->size);
+    put_components(out, piece->component, format->words ? 1 : piece->size);
     if (piece->shift)
         text_format(out, " >> %d", piece->shift);
     if (format->words && piece->shift + piece->size < format->bits)
@@ -128,11 +128,11 @@ static void put_value(Text *out, const LayoutRow *layout, const Piece *piece)
 }
 
 /* Writes surface.slot, and the component if the slot has several. */
-static void put_destination(Text *out, SlotLane to)
+static void put_destination(Text *out, SlotComponent to)
 {
     text_format(out, "surface.%s", slot_table[to.slot].name);
-    if (type_table[slot_table[to.slot].type].lanes > 1)
-        put_lanes(out, to.lane, 1);
+    if (type_table[slot_table[to.slot].type].components > 1)
+        put_components(out, to.component, 1);
     text_put(out, " = ");
 }
 
@@ -149,7 +149,7 @@ static void put_dealt(Text *out, const LayoutRow *layout, const Piece *piece, co
         text_put(out, indent);
         put_destination(out, piece->field->source[piece->first + i]);
         text_format(out, "group%d", index);
-        put_lanes(out, i, 1);
+        put_components(out, i, 1);
         text_put(out, ";\n");
     }
 }
@@ -157,7 +157,7 @@ static void put_dealt(Text *out, const LayoutRow *layout, const Piece *piece, co
 static void put_piece(Text *out, const LayoutRow *layout, const Piece *piece, const char *indent,
                       int index)
 {
-    const SlotLane *source = &piece->field->source[piece->first];
+    const SlotComponent *source = &piece->field->source[piece->first];
     if (piece->count > 1 && !piece_is_slot(piece)) {
         put_dealt(out, layout, piece, indent, index);
         return;
@@ -177,17 +177,17 @@ static void put_piece(Text *out, const LayoutRow *layout, const Piece *piece, co
 /* Returns the number of leading pieces that are the components of one slot in order; 0: none. */
 static int vector_of(const Piece *pieces, int count)
 {
-    const SlotLane *first = &pieces->field->source[pieces->first];
-    const int lanes = type_table[slot_table[first->slot].type].lanes;
-    if (lanes < 2 || lanes > count)
+    const SlotComponent *first = &pieces->field->source[pieces->first];
+    const int components = type_table[slot_table[first->slot].type].components;
+    if (components < 2 || components > count)
         return 0;
-    for (int i = 0; i < lanes; i++) {
-        const SlotLane *source = &pieces[i].field->source[pieces[i].first];
+    for (int i = 0; i < components; i++) {
+        const SlotComponent *source = &pieces[i].field->source[pieces[i].first];
         if (pieces[i].count != 1 || pieces[i].field->gray || source->slot != first->slot ||
-            source->lane != i)
+            source->component != i)
             return 0;
     }
-    return lanes;
+    return components;
 }
 
 /* Writes surface.diffuse = vec3(...); */
@@ -195,7 +195,7 @@ static void put_vector(Text *out, const LayoutRow *layout, const Piece *pieces, 
 {
     const SlotRow *slot = &slot_table[pieces->field->source[pieces->first].slot];
     text_format(out, "%ssurface.%s = %s(", indent, slot->name, type_table[slot->type].name);
-    for (int i = 0; i < type_table[slot->type].lanes; i++) {
+    for (int i = 0; i < type_table[slot->type].components; i++) {
         text_put(out, i ? ", " : "");
         put_value(out, layout, &pieces[i]);
     }
@@ -207,16 +207,16 @@ static void put_pieces(Text *out, const Job *job, const Placement *placement,
                        const UnpackShared *shared)
 {
     const char *indent = shared ? "        " : "    ";
-    for (int i = 0, lanes; i < placement->count; i += lanes) {
+    for (int i = 0, components; i < placement->count; i += components) {
         const Piece *piece = &placement->pieces[i];
         bool any = false;
-        lanes = vector_of(piece, placement->count - i);
-        for (int k = 0; k < lanes; k++)
+        components = vector_of(piece, placement->count - i);
+        for (int k = 0; k < components; k++)
             any |= shared && unpack_is_shared(shared, &piece[k]);
-        if (lanes && !any)
+        if (components && !any)
             put_vector(out, job->layout, piece, indent);
-        lanes = lanes && !any ? lanes : 1;
-        if (lanes == 1 && !(shared && unpack_is_shared(shared, piece)))
+        components = components && !any ? components : 1;
+        if (components == 1 && !(shared && unpack_is_shared(shared, piece)))
             put_piece(out, job->layout, piece, indent, i);
     }
 }
@@ -228,12 +228,13 @@ static void put_known(Text *out, const LayoutRow *layout, const CaseRow *of, Slo
 {
     const FixedRow *own = layout_case_fixed(of, slot),
                    *fixed = own ? own : layout_fixed(layout, slot);
-    const bool single = type_table[slot_table[slot].type].lanes == 1;
+    const bool single = type_table[slot_table[slot].type].components == 1;
     text_format(out, "%ssurface.%s = %s%s", indent, slot_table[slot].name,
                 single ? "" : type_table[slot_table[slot].type].name, single ? "" : "(");
-    for (int lane = 0; lane < (fixed ? type_table[slot_table[slot].type].lanes : 1); lane++) {
-        text_put(out, lane ? ", " : "");
-        text_float(out, fixed ? fixed->value[lane] : slot_table[slot].absent);
+    for (int component = 0; component < (fixed ? type_table[slot_table[slot].type].components : 1);
+         component++) {
+        text_put(out, component ? ", " : "");
+        text_float(out, fixed ? fixed->value[component] : slot_table[slot].absent);
     }
     text_put(out, single ? ";\n" : ");\n");
 }
@@ -312,9 +313,9 @@ static void put_before_cases(Text *out, const Job *job, const UnpackShared *shar
 {
     static const CaseRow none = {0};
     for (int slot = 0; slot < SLOT_COUNT; slot++)
-        for (int lane = 0; lane < FIELD_LANES; lane++)
-            if (shared->has[slot][lane])
-                put_piece(out, job->layout, &shared->pieces[slot][lane], "    ", slot);
+        for (int component = 0; component < FIELD_COMPONENTS; component++)
+            if (shared->has[slot][component])
+                put_piece(out, job->layout, &shared->pieces[slot][component], "    ", slot);
     for (int slot = 0; slot < SLOT_COUNT; slot++)
         for (int i = 0; i <= last_taken(job) && !unpack_shares(shared, (Slot)slot); i++)
             if (unpack_takes(job, i) && leaves_out(job, i, (Slot)slot) &&
@@ -336,7 +337,7 @@ static void put_number(Text *out, const LayoutRow *layout)
         text_put(out, "    uint number = 0u;\n");
     if (layout->further_count) {
         text_format(out, bits ? "    if (number == 0u && target%d." : "    if (target%d.", last);
-        text_char(out, "xyzw"[format_table[layout->formats[last]].lanes - 1]);
+        text_char(out, "xyzw"[format_table[layout->formats[last]].components - 1]);
         text_format(out, " >> %d == 1u) number = %du", format_table[layout->formats[last]].bits - 1,
                     plain);
         if (further.bits)

@@ -12,7 +12,7 @@ static bool same_field(const FieldRow *a, const FieldRow *b)
 
 static bool same_piece(const Piece *a, const Piece *b)
 {
-    return a->target == b->target && a->lane == b->lane && a->size == b->size &&
+    return a->target == b->target && a->component == b->component && a->size == b->size &&
            a->shift == b->shift && a->count == b->count && same_field(a->field, b->field);
 }
 
@@ -23,14 +23,15 @@ static bool may_be_shared(const Piece *piece)
     return !piece->field->gray && (piece->count == 1 || piece_is_slot(piece));
 }
 
-static SlotLane lane_of(const Piece *piece) { return piece->field->source[piece->first]; }
+static SlotComponent component_of(const Piece *piece) { return piece->field->source[piece->first]; }
 
 /* Returns the piece of a component in a case, or NULL. */
-static const Piece *piece_of(const Placement *placement, SlotLane lane)
+static const Piece *piece_of(const Placement *placement, SlotComponent component)
 {
     for (int i = 0; i < placement->count; i++) {
-        const SlotLane own = lane_of(&placement->pieces[i]);
-        if (own.slot == lane.slot && own.lane == lane.lane && may_be_shared(&placement->pieces[i]))
+        const SlotComponent own = component_of(&placement->pieces[i]);
+        if (own.slot == component.slot && own.component == component.component &&
+            may_be_shared(&placement->pieces[i]))
             return &placement->pieces[i];
     }
     return NULL;
@@ -42,14 +43,14 @@ typedef struct {
 } Placements;
 
 /* Returns the piece that most cases have for a component, and their number. */
-static int most_common(const Placements *placements, SlotLane lane, Piece *common)
+static int most_common(const Placements *placements, SlotComponent component, Piece *common)
 {
     int most = 0;
     for (int i = 0; i < placements->count; i++) {
-        const Piece *piece = piece_of(&placements->at[i], lane), *other;
+        const Piece *piece = piece_of(&placements->at[i], component), *other;
         int count = 0;
         for (int k = i; piece && k < placements->count; k++) {
-            other = piece_of(&placements->at[k], lane);
+            other = piece_of(&placements->at[k], component);
             count += other && same_piece(piece, other);
         }
         if (count > most)
@@ -77,10 +78,11 @@ UnpackShared unpack_shared(const Job *job)
         if (unpack_takes(job, i))
             layout_allocate(job->layout, i, &placements.at[placements.count++]);
     for (int slot = 0; slot < SLOT_COUNT && placements.count > 1; slot++)
-        for (int lane = 0; lane < type_table[slot_table[slot].type].lanes; lane++) {
-            const SlotLane of = {(Slot)slot, lane};
-            const int count = most_common(&placements, of, &shared.pieces[slot][lane]);
-            shared.has[slot][lane] = count - 1 > lacking(job, (Slot)slot);
+        for (int component = 0; component < type_table[slot_table[slot].type].components;
+             component++) {
+            const SlotComponent of = {(Slot)slot, component};
+            const int count = most_common(&placements, of, &shared.pieces[slot][component]);
+            shared.has[slot][component] = count - 1 > lacking(job, (Slot)slot);
         }
     return shared;
 }
@@ -88,14 +90,14 @@ UnpackShared unpack_shared(const Job *job)
 bool unpack_shares(const UnpackShared *shared, Slot slot)
 {
     bool any = false;
-    for (int lane = 0; lane < FIELD_LANES; lane++)
-        any |= shared->has[slot][lane];
+    for (int component = 0; component < FIELD_COMPONENTS; component++)
+        any |= shared->has[slot][component];
     return any;
 }
 
 bool unpack_is_shared(const UnpackShared *shared, const Piece *piece)
 {
-    const SlotLane lane = lane_of(piece);
-    return shared->has[lane.slot][lane.lane] && may_be_shared(piece) &&
-           same_piece(&shared->pieces[lane.slot][lane.lane], piece);
+    const SlotComponent component = component_of(piece);
+    return shared->has[component.slot][component.component] && may_be_shared(piece) &&
+           same_piece(&shared->pieces[component.slot][component.component], piece);
 }

@@ -11,8 +11,8 @@
 
 typedef struct {
     /* indexed by slot and component; the first may hold all */
-    Piece pieces[SLOT_COUNT][FIELD_LANES];
-    bool has[SLOT_COUNT][FIELD_LANES];
+    Piece pieces[SLOT_COUNT][FIELD_COMPONENTS];
+    bool has[SLOT_COUNT][FIELD_COMPONENTS];
 } UnpackShared;
 
 /* Finds the shared pieces of the cases that the job reads; a single case shares nothing. */

@@ -69,7 +69,7 @@ typedef struct {
     bool srgb; /* hex colors are sRGB */
     void *user;
     /* Called for each hex color with its components before `srgb` decodes them; or NULL. */
-    void (*color)(void *user, uint32_t start, uint32_t end, const double *lanes);
+    void (*color)(void *user, uint32_t start, uint32_t end, const double *components);
     /* Returns the source span of a byte range of the text. */
     Span (*span)(void *user, uint32_t start, uint32_t end);
     /* Returns the index of an input by name, and its width; FORMULA_UNKNOWN; FORMULA_REPORTED: an

@@ -83,49 +83,49 @@ static bool read_number(FormulaReader *r, double *number)
 }
 
 /* Parses [1, 0, -2] after its bracket. Returns the number of components, 0 for a fault. */
-static int read_list(FormulaReader *r, double lanes[FORMULA_MOST_LANES])
+static int read_list(FormulaReader *r, double components[FORMULA_MOST_COMPONENTS])
 {
     int count = 0;
     formula_next(r);
     do {
-        if (count == FORMULA_MOST_LANES) {
+        if (count == FORMULA_MOST_COMPONENTS) {
             say(r, "']'");
             return 0;
         }
         if (count && !take(r, ",", "a ',' or a ']'"))
             return 0;
-        if (!read_number(r, &lanes[count++]))
+        if (!read_number(r, &components[count++]))
             return 0;
     } while (!formula_is(r, "]"));
     formula_next(r);
     return count;
 }
 
-static int read_lanes(FormulaReader *r, double lanes[FORMULA_MOST_LANES])
+static int read_components(FormulaReader *r, double components[FORMULA_MOST_COMPONENTS])
 {
     if (formula_is(r, "["))
-        return read_list(r, lanes);
+        return read_list(r, components);
     if (r->token.kind == TOKEN_color) {
-        const int count = formula_color(r->s, &r->token, lanes);
+        const int count = formula_color(r->s, &r->token, components);
         formula_next(r);
         return count;
     }
-    return read_number(r, lanes) ? 1 : 0;
+    return read_number(r, components) ? 1 : 0;
 }
 
 /* A single number is copied to all components; a color without alpha is opaque. */
 static bool read_default(FormulaReader *r, FormulaAttribute *made)
 {
-    const int lanes = type_table[made->type].lanes;
+    const int components = type_table[made->type].components;
     const Token first = r->token;
-    const int count = read_lanes(r, made->initial);
+    const int count = read_components(r, made->initial);
     if (!count)
         return false;
-    for (int i = 1; count == 1 && i < FORMULA_MOST_LANES; i++)
+    for (int i = 1; count == 1 && i < FORMULA_MOST_COMPONENTS; i++)
         made->initial[i] = made->initial[0];
-    if (count == 3 && lanes == 4 && first.kind == TOKEN_color)
+    if (count == 3 && components == 4 && first.kind == TOKEN_color)
         made->initial[3] = 1;
-    else if (count != 1 && count != lanes) {
+    else if (count != 1 && count != components) {
         r->faults++;
         diag_add(r->session, formula_span(r, first.start, first.end), DIAG_attribute_default, count,
                  type_table[made->type].name);
@@ -170,7 +170,7 @@ void formula_read_attribute(FormulaReader *r, Token name)
     }
     formula_push_step(r, (FormulaStep){.kind = FORMULA_attribute,
                                        .row = number,
-                                       .width = (int8_t)type_table[made.type].lanes,
+                                       .width = (int8_t)type_table[made.type].components,
                                        .start = name.start,
                                        .end = name.end});
 }

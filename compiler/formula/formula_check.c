@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { MOST_LANES = 4, MOST_POWER = 64 };
+enum { MOST_COMPONENTS = 4, MOST_POWER = 64 };
 
 typedef struct {
     const FormulaSource *s;
@@ -40,11 +40,11 @@ static const char *holder_text(int width)
     return width < 0 ? "something" : words[width];
 }
 
-static const char *lane_names(int width)
+static const char *component_names(int width)
 {
     static const char *const names[] = {"xyzw, rgba or uvw", "x, r or u", "xy, rg or uv",
                                         "xyz, rgb or uvw"};
-    return width < 0 || width == MOST_LANES ? names[0] : names[width];
+    return width < 0 || width == MOST_COMPONENTS ? names[0] : names[width];
 }
 
 static int fail(Check *c)
@@ -82,7 +82,7 @@ static int find_attribute(Check *c, FormulaStep *step, const QuantityRow *row)
         return fail(c);
     step->kind = FORMULA_attribute;
     step->row = number;
-    return type_table[row->type].lanes;
+    return type_table[row->type].components;
 }
 
 static int find_name(Check *c, FormulaStep *step)
@@ -94,10 +94,10 @@ static int find_name(Check *c, FormulaStep *step)
         const QuantityRow *row = &quantity_table[quantity];
         if (row->attribute)
             return find_attribute(c, step, row);
-        step->kind = row->lanes ? FORMULA_value : FORMULA_number;
+        step->kind = row->components ? FORMULA_value : FORMULA_number;
         step->row = quantity;
         step->number = row->number;
-        c->f->groups |= row->lanes ? 1u << row->group : 0;
+        c->f->groups |= row->components ? 1u << row->group : 0;
         return quantity_width(quantity);
     }
     const char *name = arena_string(c->session->arena, c->s->text + step->start, size);
@@ -225,7 +225,7 @@ static int check_term(Check *c, FormulaStep *step)
 
 /* -- Swizzles and lists */
 
-static int check_lanes(Check *c, const FormulaStep *step)
+static int check_components(Check *c, const FormulaStep *step)
 {
     const int width = argument(c, step, 0)->width;
     const int size = (int)(step->end - step->start);
@@ -234,7 +234,7 @@ static int check_lanes(Check *c, const FormulaStep *step)
             const char *letters =
                 arena_string(c->session->arena, c->s->text + step->start, (size_t)size);
             diag_add(c->session, span_of(c, step), DIAG_formula_lanes, holder_text(width),
-                     letters + (*letters == '.'), lane_names(width));
+                     letters + (*letters == '.'), component_names(width));
             return fail(c);
         }
     return step->width;
@@ -242,7 +242,7 @@ static int check_lanes(Check *c, const FormulaStep *step)
 
 static int check_list(Check *c, const FormulaStep *step)
 {
-    int lanes = 0;
+    int components = 0;
     for (uint32_t i = 0; i < step->count; i++) {
         const int width = argument(c, step, i)->width;
         if (width == WIDTH_condition) {
@@ -250,18 +250,18 @@ static int check_list(Check *c, const FormulaStep *step)
                      width_text(width), "");
             return fail(c);
         }
-        lanes += width;
+        components += width;
     }
-    if (step->row && (lanes == step->row || (lanes == 1 && step->count == 1)))
+    if (step->row && (components == step->row || (components == 1 && step->count == 1)))
         return step->row;
-    if (!step->row && lanes >= 1 && lanes <= MOST_LANES)
-        return lanes;
+    if (!step->row && components >= 1 && components <= MOST_COMPONENTS)
+        return components;
     if (step->row)
         diag_add(c->session, span_of(c, step), DIAG_formula_vector,
                  arena_string(c->session->arena, c->s->text + step->start, step->end - step->start),
-                 (int)step->row, lanes);
+                 (int)step->row, components);
     else
-        diag_add(c->session, span_of(c, step), DIAG_formula_list, lanes);
+        diag_add(c->session, span_of(c, step), DIAG_formula_list, components);
     return fail(c);
 }
 
@@ -288,7 +288,7 @@ static int width_of(Check *c, FormulaStep *step)
     case FORMULA_term:
         return check_term(c, step);
     case FORMULA_lanes:
-        return check_lanes(c, step);
+        return check_components(c, step);
     default:
         return check_list(c, step);
     }

@@ -56,8 +56,8 @@ int formula_color(const FormulaSource *s, const Token *token, double color[4])
 {
     const char *digits = s->text + token->start + 1;
     const uint32_t size = formula_token_size(*token) - 1;
-    const int each = size == 3 ? 1 : 2, lanes = size == 8 ? 4 : 3;
-    for (int i = 0; i < lanes; i++)
+    const int each = size == 3 ? 1 : 2, components = size == 8 ? 4 : 3;
+    for (int i = 0; i < components; i++)
         color[i] =
             (text_hex_digit(digits[i * each]) * 16 + text_hex_digit(digits[i * each + each - 1])) /
             255.0;
@@ -65,7 +65,7 @@ int formula_color(const FormulaSource *s, const Token *token, double color[4])
         s->color(s->user, token->start, token->end, color);
     for (int i = 0; s->srgb && i < 3; i++)
         color[i] = srgb_decode(color[i]);
-    return lanes;
+    return components;
 }
 
 /* True for structural characters, which begin no operator. */

@@ -46,16 +46,16 @@ static void read_name(FormulaReader *r, Token name)
 
 static void push_color(FormulaReader *r)
 {
-    uint32_t lanes[4];
+    uint32_t components[4];
     double color[4];
     const int count = formula_color(r->s, &r->token, color);
     FormulaStep step = {.kind = FORMULA_number, .start = r->token.start, .end = r->token.end};
     for (int i = 0; i < count; i++) {
         step.number = color[i];
-        lanes[i] = formula_add(r->session, r->f, step, NULL, 0);
+        components[i] = formula_add(r->session, r->f, step, NULL, 0);
     }
     step.kind = FORMULA_list;
-    formula_push(r, formula_add(r->session, r->f, step, lanes, (uint32_t)count));
+    formula_push(r, formula_add(r->session, r->f, step, components, (uint32_t)count));
 }
 
 static bool prefix(FormulaReader *r)

@@ -3,7 +3,7 @@
 #include <string.h>
 
 /* Index of a component by the set that contains all letters: w is index 2 in uvw, otherwise 3. */
-static int lane_of(const char *letters, char letter)
+static int component_of(const char *letters, char letter)
 {
     static const char *const sets[] = {"xyzw", "rgba", "uvw"};
     for (size_t i = 0; i < sizeof sets / sizeof *sets; i++)
@@ -17,13 +17,14 @@ static bool is_swizzle(const char *letters)
 {
     static const char *const sets[] = {"xyzw", "rgba", "uvw"};
     for (size_t i = 0; i < sizeof sets / sizeof *sets; i++)
-        if (strlen(letters) <= FORMULA_MOST_LANES && strspn(letters, sets[i]) == strlen(letters))
+        if (strlen(letters) <= FORMULA_MOST_COMPONENTS &&
+            strspn(letters, sets[i]) == strlen(letters))
             return true;
     return false;
 }
 
 /* Parses "." letters; the check verifies that the components exist. */
-static void read_lanes(FormulaReader *r)
+static void read_components(FormulaReader *r)
 {
     const uint32_t start = r->token.start;
     formula_next(r);
@@ -39,7 +40,7 @@ static void read_lanes(FormulaReader *r)
         step = (FormulaStep){.kind = FORMULA_fault, .start = start, .end = start + 1};
     }
     for (int i = 0; step.kind == FORMULA_lanes && letters[i]; i++)
-        step.row |= lane_of(letters, letters[i]) << 2 * i;
+        step.row |= component_of(letters, letters[i]) << 2 * i;
     if (r->token.kind == TOKEN_name)
         formula_next(r);
     formula_apply(r, step, 1);
@@ -54,7 +55,7 @@ static void read_index(FormulaReader *r)
     formula_next(r);
     step.end = r->token.end;
     if (index.kind != TOKEN_number || !formula_is(r, "]") || index.number != (int)index.number ||
-        index.number < 0 || index.number >= FORMULA_MOST_LANES) {
+        index.number < 0 || index.number >= FORMULA_MOST_COMPONENTS) {
         r->faults++;
         diag_add(
             r->session, formula_span(r, step.start, step.end), DIAG_formula_lanes, "a value",
@@ -226,7 +227,7 @@ bool formula_operator(FormulaReader *r, bool *ended)
     if (formula_read_suffix(r))
         return true;
     if (formula_is(r, ".") || formula_is(r, "[")) {
-        (formula_is(r, ".") ? read_lanes : read_index)(r);
+        (formula_is(r, ".") ? read_components : read_index)(r);
         return true;
     }
     if (formula_is(r, ")") || formula_is(r, "]")) {

@@ -12,7 +12,7 @@ static const double LEAST_DIVISOR = 1e-30, LEAST_BASE = 1e-37, GREATEST_POWER = 
 /* Arguments of a term that does not work per component. */
 typedef struct {
     const double *a, *b, *c, *d;
-    int lanes; /* max width of the arguments of any width */
+    int components; /* max width of the arguments of any width */
     const void *noise;
 } Whole;
 
@@ -26,42 +26,45 @@ static double share_of(double low, double high, double x)
     return fmin(fmax(quotient(x - low, high - low), 0), 1);
 }
 
-static double dot_lanes(const double *a, const double *b, int lanes)
+static double dot_components(const double *a, const double *b, int components)
 {
     double sum = 0;
-    for (int i = 0; i < lanes; i++)
+    for (int i = 0; i < components; i++)
         sum += a[i] * b[i];
     return sum;
 }
 
 static void average_of(const Whole *w, double *result)
 {
-    *result = dot_lanes(w->a, (const double[]){1, 1, 1, 1}, w->lanes) / w->lanes;
+    *result = dot_components(w->a, (const double[]){1, 1, 1, 1}, w->components) / w->components;
 }
 
 static void greatest_of(const Whole *w, double *result)
 {
     *result = w->a[0];
-    for (int i = 1; i < w->lanes; i++)
+    for (int i = 1; i < w->components; i++)
         *result = fmax(*result, w->a[i]);
 }
 
 static void least_of(const Whole *w, double *result)
 {
     *result = w->a[0];
-    for (int i = 1; i < w->lanes; i++)
+    for (int i = 1; i < w->components; i++)
         *result = fmin(*result, w->a[i]);
 }
 
 static void luminance_of(const Whole *w, double *result)
 {
-    *result = dot_lanes(w->a, (const double[]){.2126, .7152, .0722}, 3);
+    *result = dot_components(w->a, (const double[]){.2126, .7152, .0722}, 3);
 }
 
-static void dot_of(const Whole *w, double *result) { *result = dot_lanes(w->a, w->b, w->lanes); }
+static void dot_of(const Whole *w, double *result)
+{
+    *result = dot_components(w->a, w->b, w->components);
+}
 static void length_of(const Whole *w, double *result)
 {
-    *result = sqrt(dot_lanes(w->a, w->a, w->lanes));
+    *result = sqrt(dot_components(w->a, w->a, w->components));
 }
 
 static void distance_of(const Whole *w, double *result)
@@ -69,7 +72,7 @@ static void distance_of(const Whole *w, double *result)
     double between[4];
     for (int i = 0; i < 4; i++)
         between[i] = w->a[i] - w->b[i];
-    *result = sqrt(dot_lanes(between, between, w->lanes));
+    *result = sqrt(dot_components(between, between, w->components));
 }
 
 static void cross_of(const Whole *w, double *result)
@@ -87,7 +90,7 @@ static void unit_of(const Whole *w, double *result)
 
 static void reflection_of(const Whole *w, double *result)
 {
-    const double twice = 2 * dot_lanes(w->a, w->b, 3);
+    const double twice = 2 * dot_components(w->a, w->b, 3);
     for (int i = 0; i < 3; i++)
         result[i] = w->a[i] - twice * w->b[i];
 }
@@ -212,7 +215,7 @@ static bool whole_value(Term term, const Whole *w, double *result)
 }
 
 /* Evaluates one component of a term that works per component, from its arguments' components. */
-static double lane_value(Term term, const double *x)
+static double component_value(Term term, const double *x)
 {
     const double a = x[0], b = x[1], c = x[2], d = x[3], e = x[4];
     switch (term) {
@@ -235,38 +238,39 @@ static double whole_power(double a, int n)
 }
 
 /* A scalar is computed once and copied to all components. */
-static int lanes_of(const FormulaStep *step) { return step->width <= 1 ? 1 : 4; }
+static int components_of(const FormulaStep *step) { return step->width <= 1 ? 1 : 4; }
 
 static void term_value(const Formula *f, const FormulaStep *step, const FormulaPoint *point,
                        double *result)
 {
     static const double zeros[4];
     const double *args[TERM_MOST_ARGUMENTS] = {zeros, zeros, zeros, zeros, zeros};
-    Whole whole = {.lanes = 1, .noise = point->noise};
+    Whole whole = {.components = 1, .noise = point->noise};
     for (uint32_t i = 0; i < step->count; i++) {
         const uint32_t number = formula_argument(f, step, i);
         args[i] = point->values[number];
-        if (f->steps[number].width > whole.lanes)
-            whole.lanes = f->steps[number].width;
+        if (f->steps[number].width > whole.components)
+            whole.components = f->steps[number].width;
     }
     whole.a = args[0], whole.b = args[1], whole.c = args[2], whole.d = args[3];
     if (whole_value((Term)step->row, &whole, result))
         return;
-    for (int lane = 0; lane < lanes_of(step); lane++) {
-        const double x[TERM_MOST_ARGUMENTS] = {args[0][lane], args[1][lane], args[2][lane],
-                                               args[3][lane], args[4][lane]};
-        result[lane] = lane_value((Term)step->row, x);
+    for (int component = 0; component < components_of(step); component++) {
+        const double x[TERM_MOST_ARGUMENTS] = {args[0][component], args[1][component],
+                                               args[2][component], args[3][component],
+                                               args[4][component]};
+        result[component] = component_value((Term)step->row, x);
     }
 }
 
 static void list_value(const Formula *f, const FormulaStep *step, const FormulaPoint *point,
                        double *result)
 {
-    int lanes = 0;
+    int components = 0;
     for (uint32_t i = 0; i < step->count; i++) {
         const uint32_t number = formula_argument(f, step, i);
-        for (int lane = 0; lane < f->steps[number].width && lanes < 4; lane++)
-            result[lanes++] = point->values[number][lane];
+        for (int component = 0; component < f->steps[number].width && components < 4; component++)
+            result[components++] = point->values[number][component];
     }
 }
 
@@ -274,24 +278,25 @@ static void step_value(const Formula *f, const FormulaStep *step, const FormulaP
                        double *result)
 {
     const double *a = step->count ? point->values[formula_argument(f, step, 0)] : NULL;
-    for (int lane = 0; lane < lanes_of(step); lane++)
-        result[lane] = step->kind == FORMULA_number      ? step->number
-                       : step->kind == FORMULA_value     ? point->quantity[step->row][lane]
-                       : step->kind == FORMULA_input     ? point->inputs[step->row][lane]
-                       : step->kind == FORMULA_attribute ? point->attributes[step->row][lane]
-                       : step->kind == FORMULA_power     ? whole_power(a[lane], (int)step->number)
-                       : step->kind == FORMULA_lanes     ? a[step->row >> 2 * lane & 3]
-                                                         : 0;
+    for (int component = 0; component < components_of(step); component++)
+        result[component] =
+            step->kind == FORMULA_number      ? step->number
+            : step->kind == FORMULA_value     ? point->quantity[step->row][component]
+            : step->kind == FORMULA_input     ? point->inputs[step->row][component]
+            : step->kind == FORMULA_attribute ? point->attributes[step->row][component]
+            : step->kind == FORMULA_power     ? whole_power(a[component], (int)step->number)
+            : step->kind == FORMULA_lanes     ? a[step->row >> 2 * component & 3]
+                                              : 0;
     if (step->kind == FORMULA_term)
         term_value(f, step, point, result);
     if (step->kind == FORMULA_list)
         list_value(f, step, point, result);
-    for (int lane = 1; step->width <= 1 && lane < 4; lane++)
-        result[lane] = result[0];
+    for (int component = 1; step->width <= 1 && component < 4; component++)
+        result[component] = result[0];
     if (step->kind == FORMULA_list && step->count == 1 &&
         f->steps[formula_argument(f, step, 0)].width == 1)
-        for (int lane = 1; lane < 4; lane++)
-            result[lane] = result[0];
+        for (int component = 1; component < 4; component++)
+            result[component] = result[0];
 }
 
 void formula_value(const Formula *f, const FormulaPoint *point, double result[4])

@@ -5,28 +5,28 @@
 
 /* Narrowing to one component takes the mean, to several the first components. Widening copies a
  * single component; otherwise it fills with 0, and alpha with 1. */
-void graph_convert(int from_lanes, const double *from, int to_lanes, double *to)
+void graph_convert(int from_components, const double *from, int to_components, double *to)
 {
     double result[4] = {0, 0, 0, 1};
-    if (to_lanes == 1 && from_lanes > 1) {
+    if (to_components == 1 && from_components > 1) {
         double sum = 0;
-        for (int i = 0; i < from_lanes; i++)
+        for (int i = 0; i < from_components; i++)
             sum += from[i];
-        result[0] = sum / from_lanes;
+        result[0] = sum / from_components;
     } else {
-        for (int i = 0; i < (from_lanes == 1 && to_lanes < 4 ? to_lanes
-                             : from_lanes == 1               ? 3
-                                                             : from_lanes);
+        for (int i = 0; i < (from_components == 1 && to_components < 4 ? to_components
+                             : from_components == 1                    ? 3
+                                                                       : from_components);
              i++)
-            result[i] = from[from_lanes == 1 ? 0 : i];
+            result[i] = from[from_components == 1 ? 0 : i];
     }
-    memcpy(to, result, sizeof(double) * (size_t)to_lanes);
+    memcpy(to, result, sizeof(double) * (size_t)to_components);
 }
 
 void value_number(const Value *value, Type want, double result[4])
 {
     const double *from = value->kind == VALUE_uniform ? value->uniform->initial : value->number;
-    graph_convert(type_table[value->type].lanes, from, type_table[want].lanes, result);
+    graph_convert(type_table[value->type].components, from, type_table[want].components, result);
 }
 
 /* Per kind: the first parameter of DISPLACEMENT_PARAMS. */
@@ -58,8 +58,9 @@ bool value_is_zero(const Value *value)
 {
     if (value->kind == VALUE_node && value->node->kind == KIND_Constant)
         value = &value->node->params[0];
-    for (int lane = 0; value->kind == VALUE_number && lane < type_table[value->type].lanes; lane++)
-        if (value->number[lane] != 0)
+    for (int component = 0;
+         value->kind == VALUE_number && component < type_table[value->type].components; component++)
+        if (value->number[component] != 0)
             return false;
     return value->kind == VALUE_number || value->kind == VALUE_none;
 }

@@ -205,6 +205,6 @@ static inline const Value *node_param(const Node *node, int param)
 /* Returns a number's or a uniform's (default) components, converted to `want` by the table of
  * conversions. */
 void value_number(const Value *value, Type want, double result[4]);
-/* Converts `lanes_from` numbers to `lanes_to` by the table of conversions. */
-void graph_convert(int lanes_from, const double *from, int lanes_to, double *to);
+/* Converts `components_from` numbers to `components_to` by the table of conversions. */
+void graph_convert(int components_from, const double *from, int components_to, double *to);
 #endif

@@ -23,9 +23,9 @@ static const Node *seen(const Node *m)
 
 static double number_of(const Node *node, int param)
 {
-    double lanes[4];
-    value_number(node_param(node, param), TYPE_float, lanes);
-    return lanes[0];
+    double components[4];
+    value_number(node_param(node, param), TYPE_float, components);
+    return components[0];
 }
 
 bool graph_sky(const Node *material, GraphSky *sky)

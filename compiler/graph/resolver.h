@@ -65,5 +65,5 @@ typedef struct {
 /* Allowed range of a value's number of components. */
 typedef struct {
     int least, most;
-} LaneCount;
+} ComponentCount;
 #endif

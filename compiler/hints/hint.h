@@ -16,7 +16,7 @@ bool hint_number_color(Resolver *r, const ParamRow *row, const Tree *tree, const
 
 /* Reports values in the syntax of other languages: rgb(255, 0, 0), 0xff8800, 0,5, true.
  * hint_value.c */
-bool hint_value(Resolver *r, const char *what, const Tree *tree, LaneCount lanes);
+bool hint_value(Resolver *r, const char *what, const Tree *tree, ComponentCount components);
 /* Reports a CSS color name such as brown; hint_map_name() a map name of another tool, such as
  * Noise Texture. */
 bool hint_color_name(Resolver *r, const Tree *tree, const char *text);

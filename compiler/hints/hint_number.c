@@ -48,34 +48,34 @@ static const char *color_sibling(const ParamRow *row)
     return NULL;
 }
 
-static bool is_gray(const double lanes[4], int count)
+static bool is_gray(const double components[4], int count)
 {
     bool gray = true;
     for (int i = 1; i < count && i < 3; i++)
-        gray &= lanes[i] == lanes[0];
+        gray &= components[i] == components[0];
     return gray;
 }
 
 /* Returns the components of a literal, or of a param whose default is written as a color. 0:
  * neither. */
-static int literal_lanes(const Value *constant, const double **lanes)
+static int literal_components(const Value *constant, const double **components)
 {
     if (constant->kind != VALUE_number && !(constant->kind == VALUE_uniform && constant->color))
         return 0;
-    *lanes = constant->kind == VALUE_number ? constant->number : constant->uniform->initial;
-    return type_table[constant->type].lanes;
+    *components = constant->kind == VALUE_number ? constant->number : constant->uniform->initial;
+    return type_table[constant->type].components;
 }
 
 bool hint_number_color(Resolver *r, const ParamRow *row, const Tree *tree, const Value *constant)
 {
-    const double *lanes = NULL;
-    const int count = reads_number(row) ? literal_lanes(constant, &lanes) : 0;
-    if (!count || is_gray(lanes, count))
+    const double *components = NULL;
+    const int count = reads_number(row) ? literal_components(constant, &components) : 0;
+    if (!count || is_gray(components, count))
         return false;
     Text list = text_new(r->session->arena), mend = text_new(r->session->arena);
     for (int i = 0; i < count; i++) {
         text_put(&list, i ? ", " : "[");
-        text_rounded(&list, lanes[i], 3);
+        text_rounded(&list, components[i], 3);
     }
     text_put(&list, "]");
     const char *sibling = color_sibling(row);

@@ -26,11 +26,11 @@ static bool hint_components(Resolver *r, const Tree *object)
     Text list = text_new(r->session->arena);
     uint32_t found = 0;
     for (int i = 0; i < 4; i++) {
-        const char *lane = scalar_of(object, names[i]);
-        if (!lane && i < 3)
+        const char *component = scalar_of(object, names[i]);
+        if (!component && i < 3)
             return false;
-        if (lane)
-            text_format(&list, "%s%s", found++ ? ", " : "[", lane);
+        if (component)
+            text_format(&list, "%s%s", found++ ? ", " : "[", component);
     }
     text_put(&list, "]");
     if (found != object->count)

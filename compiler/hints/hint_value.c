@@ -5,14 +5,14 @@
 #include <math.h>
 #include <string.h>
 
-enum { BYTE = 255, COLOR_LANES = 4, FULL_CIRCLE = 360 };
+enum { BYTE = 255, COLOR_COMPONENTS = 4, FULL_CIRCLE = 360 };
 
 /* -- Colors as functions: rgb(255, 0, 0), hsl(120, 50%, 50%) */
 
 typedef struct {
     int count;
-    double number[COLOR_LANES];
-    bool percent[COLOR_LANES], whole; /* whole: no argument has a decimal point */
+    double number[COLOR_COMPONENTS];
+    bool percent[COLOR_COMPONENTS], whole; /* whole: no argument has a decimal point */
 } Arguments;
 
 /* Parses "(255, 0, 0)" or "(120 50% 50%)"; false unless it has three or four numbers. */
@@ -23,7 +23,7 @@ static bool read_arguments(const Session *session, const char *text, Arguments *
         const size_t size = strcspn(at, ", /)%");
         const char *alone = arena_string(session->arena, at, size);
         const int i = arguments->count;
-        if (i == COLOR_LANES || !text_number(alone, size, &arguments->number[i]))
+        if (i == COLOR_COMPONENTS || !text_number(alone, size, &arguments->number[i]))
             return false;
         arguments->percent[i] = at[size] == '%';
         arguments->whole &= !strchr(alone, '.');
@@ -40,12 +40,12 @@ static double share(const Arguments *a, int i, double full)
     return a->number[i] / (a->percent[i] ? 100 : full);
 }
 
-/* Returns red, green or blue (`lane` 0, 1, 2) in [0, 1] from the hue in degrees: the triangular
- * ramp of HSL and HSV, scaled by the chroma. */
-static double lane_of_hue(double hue, int lane, double low, double chroma)
+/* Returns red, green or blue (`component` 0, 1, 2) in [0, 1] from the hue in degrees: the
+ * triangular ramp of HSL and HSV, scaled by the chroma. */
+static double component_of_hue(double hue, int component, double low, double chroma)
 {
     /* 3: center of this component's ramp */
-    const double sector = fmod(hue / (FULL_CIRCLE / 6.) + 6 - 2 * lane + 3, 6);
+    const double sector = fmod(hue / (FULL_CIRCLE / 6.) + 6 - 2 * component + 3, 6);
     const double ramp = 2 - fabs(sector - 3);
     return low + chroma * fmin(fmax(ramp, 0), 1);
 }
@@ -56,8 +56,9 @@ static void rgb_of_hue(const Arguments *a, bool lightness, double rgb[3])
     const double full = a->number[1] > 1 || a->number[2] > 1 ? 100 : 1;
     const double saturation = share(a, 1, full), last = share(a, 2, full);
     const double chroma = saturation * (lightness ? 1 - fabs(2 * last - 1) : last);
-    for (int lane = 0; lane < 3; lane++)
-        rgb[lane] = lane_of_hue(hue, lane, lightness ? last - chroma / 2 : last - chroma, chroma);
+    for (int component = 0; component < 3; component++)
+        rgb[component] =
+            component_of_hue(hue, component, lightness ? last - chroma / 2 : last - chroma, chroma);
 }
 
 static void put_hex(Text *out, const double *rgb, int count)
@@ -71,7 +72,7 @@ static void put_hex(Text *out, const double *rgb, int count)
 /* Writes bytes as a hex color, fractions as a list. */
 static void put_color(Text *out, const char *name, const Arguments *a)
 {
-    double rgb[COLOR_LANES] = {0};
+    double rgb[COLOR_COMPONENTS] = {0};
     const bool red = !strncmp(name, "rgb", 3);
     bool bytes = a->whole;
     for (int i = 0; i < 3; i++)
@@ -80,7 +81,7 @@ static void put_color(Text *out, const char *name, const Arguments *a)
         rgb_of_hue(a, !strncmp(name, "hsl", 3), rgb);
     for (int i = 0; red && i < 3; i++)
         rgb[i] = share(a, i, bytes ? BYTE : 1);
-    if (a->count == COLOR_LANES)
+    if (a->count == COLOR_COMPONENTS)
         rgb[3] = share(a, 3, a->number[3] > 1 ? BYTE : 1);
     if (!red || bytes) {
         put_hex(out, rgb, a->count);
@@ -155,14 +156,14 @@ static bool hint_truth(Resolver *r, const char *what, const Tree *tree)
     return false;
 }
 
-bool hint_value(Resolver *r, const char *what, const Tree *tree, LaneCount lanes)
+bool hint_value(Resolver *r, const char *what, const Tree *tree, ComponentCount components)
 {
     if (tree->kind != TREE_scalar || !tree->count || strlen(tree->text) != tree->count ||
         tree->count > LIMIT_NAME)
         return false;
-    if (hint_truth(r, what, tree) || hint_decimal(r, tree, r->one_number || lanes.most == 1))
+    if (hint_truth(r, what, tree) || hint_decimal(r, tree, r->one_number || components.most == 1))
         return true;
-    return lanes.most >= 3 && (hint_function(r, tree) || hint_hexadecimal(r, tree));
+    return components.most >= 3 && (hint_function(r, tree) || hint_hexadecimal(r, tree));
 }
 
 /* -- Names of colors and maps */

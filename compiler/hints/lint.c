@@ -18,16 +18,17 @@
 
 /* Returns the first component of a constant map, the largest of a list of numbers, or the
  * default of a param. False for other values. */
-static bool lane_of(const Value *value, double *lane)
+static bool component_of(const Value *value, double *component)
 {
     const bool map = value->kind == VALUE_node && value->node->kind == KIND_Constant;
     const Value *number = map ? &value->node->params[0] : value;
     if (!value->given || (number->kind != VALUE_number && number->kind != VALUE_uniform))
         return false;
-    const double *lanes = number->kind == VALUE_uniform ? number->uniform->initial : number->number;
-    *lane = lanes[0];
-    for (int i = 1; !map && i < type_table[number->type].lanes; i++)
-        *lane = fabs(lanes[i]) > fabs(*lane) ? lanes[i] : *lane;
+    const double *components =
+        number->kind == VALUE_uniform ? number->uniform->initial : number->number;
+    *component = components[0];
+    for (int i = 1; !map && i < type_table[number->type].components; i++)
+        *component = fabs(components[i]) > fabs(*component) ? components[i] : *component;
     return true;
 }
 
@@ -47,7 +48,7 @@ static void put_meant(Text *out, const UnitRow *unit, double number)
 void lint_unit(Session *session, const char *name, const UnitRow *unit, const Value *value)
 {
     double number;
-    if (!unit || unit == &unit_table[UNIT_gloss] || !lane_of(value, &number) ||
+    if (!unit || unit == &unit_table[UNIT_gloss] || !component_of(value, &number) ||
         (number >= unit->low && number <= unit->high))
         return;
     Text is = text_new(session->arena), low = text_new(session->arena),
@@ -78,7 +79,8 @@ void lint_units(Session *session, const Node *node)
 static bool is_plain(const Node *map)
 {
     const Section section = section_of(map->kind);
-    const bool number = map->kind == KIND_Constant && type_table[map->params[0].type].lanes == 1;
+    const bool number =
+        map->kind == KIND_Constant && type_table[map->params[0].type].components == 1;
     return number || section == SECTION_surface || section == SECTION_volume ||
            section == SECTION_dimensions;
 }
@@ -166,30 +168,35 @@ typedef struct {
 } LintFindings;
 
 /* Returns the components of a number, or of a param's default. */
-static int lanes_of(const Value *value, const double **lanes)
+static int components_of(const Value *value, const double **components)
 {
     if (value->kind != VALUE_number && value->kind != VALUE_uniform)
         return 0;
-    *lanes = value->kind == VALUE_uniform ? value->uniform->initial : value->number;
-    return type_table[value->type].lanes;
+    *components = value->kind == VALUE_uniform ? value->uniform->initial : value->number;
+    return type_table[value->type].components;
 }
 
-static bool is_byte(double lane) { return lane >= 0 && lane <= BYTE && lane == trunc(lane); }
+static bool is_byte(double component)
+{
+    return component >= 0 && component <= BYTE && component == trunc(component);
+}
 
 /* Lints a color's three components. */
-static void lint_bytes(const LintFindings *d, Span span, const double *lanes)
+static void lint_bytes(const LintFindings *d, Span span, const double *components)
 {
-    const double most = fmax(lanes[0], fmax(lanes[1], lanes[2]));
-    if (most < LOOKS_LIKE_BYTE || !is_byte(lanes[0]) || !is_byte(lanes[1]) || !is_byte(lanes[2]))
+    const double most = fmax(components[0], fmax(components[1], components[2]));
+    if (most < LOOKS_LIKE_BYTE || !is_byte(components[0]) || !is_byte(components[1]) ||
+        !is_byte(components[2]))
         return;
     Text hex = text_new(d->session->arena);
-    text_format(&hex, "#%02x%02x%02x", (unsigned)lanes[0], (unsigned)lanes[1], (unsigned)lanes[2]);
+    text_format(&hex, "#%02x%02x%02x", (unsigned)components[0], (unsigned)components[1],
+                (unsigned)components[2]);
     diag_add(d->session, span, DIAG_byte_color, hex.at);
 }
 
 /* Lints a single number as a color: `diffuse: 128` looks like a gray in bytes, unless it may be
  * a light intensity. `diffuse: 112233` has the digits of a hex color. */
-static void lint_single(const LintFindings *d, const Value *value, double lane, bool light)
+static void lint_single(const LintFindings *d, const Value *value, double component, bool light)
 {
     const char *text = d->session->sources[value->span.file].text + value->span.start;
     const size_t size = value->span.end - value->span.start;
@@ -199,7 +206,7 @@ static void lint_single(const LintFindings *d, const Value *value, double lane, 
         text_format(&hex, "#%.*s", (int)size, text);
         diag_add(d->session, value->span, DIAG_byte_color, hex.at);
     } else if (!light) {
-        lint_bytes(d, value->span, (const double[3]){lane, lane, lane});
+        lint_bytes(d, value->span, (const double[3]){component, component, component});
     }
 }
 
@@ -211,13 +218,14 @@ static void lint_components(const LintFindings *d, const Node *node)
     Span span = node->span;
     const KindRow *row = &kind_table[node->kind];
     for (int i = row->count - 1; i >= 0; i--) {
-        const double *lane;
+        const double *component;
         const char *at = strchr("rgb", param_table[row->first + i].name[0]);
-        if (!at || param_table[row->first + i].name[1] || !lanes_of(&node->params[i], &lane))
+        if (!at || param_table[row->first + i].name[1] ||
+            !components_of(&node->params[i], &component))
             continue;
-        rgb[at - "rgb"] = *lane;
+        rgb[at - "rgb"] = *component;
         found++;
-        if (*lane > 1)
+        if (*component > 1)
             span = node->params[i].span;
     }
     if (found == 3)
@@ -226,18 +234,18 @@ static void lint_components(const LintFindings *d, const Node *node)
 
 static void lint_constant(const LintFindings *d, const Node *node, unsigned asked)
 {
-    const double *lanes = NULL;
-    const int count = lanes_of(&node->params[0], &lanes);
+    const double *components = NULL;
+    const int count = components_of(&node->params[0], &components);
     if (asked & ASKED_color && node->kind == KIND_Constant && count >= 3)
-        lint_bytes(d, node->params[0].span, lanes);
+        lint_bytes(d, node->params[0].span, components);
     else if (asked & ASKED_color && node->kind == KIND_Constant && count == 1)
-        lint_single(d, &node->params[0], *lanes, asked & ASKED_light);
+        lint_single(d, &node->params[0], *components, asked & ASKED_light);
     else if (asked & ASKED_color)
         lint_components(d, node);
-    if (asked & ASKED_shininess && count && *lanes > 1) {
+    if (asked & ASKED_shininess && count && *components > 1) {
         Text is = text_new(d->session->arena), shininess = text_new(d->session->arena);
-        text_plain(&is, *lanes);
-        text_plain(&shininess, round(1e3 * (1 - sqrt(1 - exp(-2 / *lanes)))) / 1e3);
+        text_plain(&is, *components);
+        text_plain(&shininess, round(1e3 * (1 - sqrt(1 - exp(-2 / *components)))) / 1e3);
         diag_add(d->session, node->params[0].span, DIAG_high_shininess, is.at, is.at, shininess.at);
     }
 }
@@ -463,13 +471,13 @@ static void lint_fuzz(const LintFindings *d, const Node *node)
 {
     const Value *rough =
         node->kind == KIND_Principled ? node_param(node, P_Principled_fuzzRoughness) : NULL;
-    const double *lanes;
+    const double *components;
     if (!rough || value_is_zero(node_param(node, P_Principled_fuzz)))
         return;
     const Span span = rough->span;
     if (rough->kind == VALUE_node && rough->node->kind == KIND_Constant)
         rough = &rough->node->params[0];
-    if (lanes_of(rough, &lanes) && lanes[0] < LEAST_FUZZ)
+    if (components_of(rough, &components) && components[0] < LEAST_FUZZ)
         diag_add(d->session, span, DIAG_narrow_fuzz);
 }
 

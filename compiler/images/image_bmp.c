@@ -17,7 +17,7 @@ enum {
     BI_RGB = 0,
     BI_BITFIELDS = 3,
     BI_ALPHABITFIELDS = 6,
-    LANES = 4,
+    COMPONENTS = 4,
     BYTE = 255,
 };
 
@@ -29,7 +29,7 @@ typedef struct {
     bool from_top;
     const uint8_t *palette;
     size_t entry, colors; /* size of a palette entry in bytes, and number of entries */
-    uint32_t masks[LANES];
+    uint32_t masks[COMPONENTS];
 } Bmp;
 
 static uint32_t read_two(const Bmp *bmp, size_t at)
@@ -74,15 +74,16 @@ static bool is_mask(uint32_t mask)
  * those in the file. */
 static const char *read_masks(Bmp *bmp, Image *image)
 {
-    static const uint32_t plain[2][LANES] = {{0x7C00, 0x3E0, 0x1F, 0}, {0xFF0000, 0xFF00, 0xFF, 0}};
+    static const uint32_t plain[2][COMPONENTS] = {{0x7C00, 0x3E0, 0x1F, 0},
+                                                  {0xFF0000, 0xFF00, 0xFF, 0}};
     const bool alpha = bmp->header >= ALPHA_HEADER || bmp->compression == BI_ALPHABITFIELDS;
-    for (int i = 0; i < LANES; i++)
+    for (int i = 0; i < COMPONENTS; i++)
         bmp->masks[i] = plain[bmp->bits == 32][i];
     if (bmp->compression == BI_RGB)
         return NULL;
-    if (bmp->size < FILE_HEADER + INFO_HEADER + LANES * 4)
+    if (bmp->size < FILE_HEADER + INFO_HEADER + COMPONENTS * 4)
         return image_file_cut;
-    for (int i = 0; i < LANES; i++) {
+    for (int i = 0; i < COMPONENTS; i++) {
         bmp->masks[i] =
             i < 3 || alpha ? read_four(bmp, FILE_HEADER + INFO_HEADER + 4 * (size_t)i) : 0;
         if (!is_mask(bmp->masks[i]))
@@ -131,7 +132,7 @@ static const char *read_header(Bmp *bmp, Image *image)
 }
 
 /* Returns a component of 1 to 32 bits, rounded to a byte. */
-static uint8_t masked_lane(uint32_t pixel, uint32_t mask)
+static uint8_t masked_component(uint32_t pixel, uint32_t mask)
 {
     uint64_t value = pixel & mask, most = mask;
     while (!(most & 1)) {
@@ -142,7 +143,7 @@ static uint8_t masked_lane(uint32_t pixel, uint32_t mask)
 }
 
 /* Reads a pixel. Returns false if its index is outside the palette. */
-static bool read_pixel(const Bmp *bmp, const uint8_t *row, size_t x, uint8_t rgba[LANES])
+static bool read_pixel(const Bmp *bmp, const uint8_t *row, size_t x, uint8_t rgba[COMPONENTS])
 {
     const uint8_t *at = row + x * bmp->bits / 8;
     rgba[3] = BYTE;
@@ -150,8 +151,8 @@ static bool read_pixel(const Bmp *bmp, const uint8_t *row, size_t x, uint8_t rgb
         const uint32_t low = at[0] | (uint32_t)at[1] << 8;
         const uint32_t pixel =
             bmp->bits == 16 ? low : low | (uint32_t)at[2] << 16 | (uint32_t)at[3] << 24;
-        for (int i = 0; i < LANES; i++)
-            rgba[i] = bmp->masks[i] ? masked_lane(pixel, bmp->masks[i]) : i == 3 ? BYTE : 0;
+        for (int i = 0; i < COMPONENTS; i++)
+            rgba[i] = bmp->masks[i] ? masked_component(pixel, bmp->masks[i]) : i == 3 ? BYTE : 0;
         return true;
     }
     if (bmp->bits < 24) {
@@ -178,7 +179,7 @@ const char *image_bmp(ImageFile *file)
     uint8_t *texel = image->texels;
     for (int y = 0; y < image->height; y++) {
         const int row = bmp.from_top ? image->height - 1 - y : y;
-        for (int x = 0; x < image->width; x++, texel += LANES)
+        for (int x = 0; x < image->width; x++, texel += COMPONENTS)
             if (!read_pixel(&bmp, bmp.bytes + bmp.rows + bmp.stride * (size_t)row, (size_t)x,
                             texel))
                 return "a texel has a colour that its palette lacks";

@@ -14,7 +14,7 @@
 #include <string.h>
 
 enum {
-    LANES = 4,
+    COMPONENTS = 4,
     MOST_HEADER = 1 << 18, /* bytes: the library takes quadratic time for long headers */
     /* Max bytes of one allocation of the library: a block of lines, a tile, or a table of them. */
     MOST_ALLOCATION = 256 << 20,
@@ -38,7 +38,7 @@ typedef struct {
     exr_attr_box2i_t data, display;
     const exr_attr_chlist_t *channels;
     /* Index of the red, green, blue and alpha channel in the file; NONE: missing. */
-    int lane[LANES];
+    int component[COMPONENTS];
     bool header_read; /* texels are being read */
     const char *why;  /* the first fault */
 } ExrReader;
@@ -114,9 +114,9 @@ static int64_t on_read(exr_const_context_t exr, void *user, void *to, uint64_t s
 static double width_of(const exr_attr_box2i_t *box) { return (double)box->max.x - box->min.x + 1; }
 static double height_of(const exr_attr_box2i_t *box) { return (double)box->max.y - box->min.y + 1; }
 
-static const exr_attr_chlist_entry_t *channel(const ExrReader *d, int lane)
+static const exr_attr_chlist_entry_t *channel(const ExrReader *d, int component)
 {
-    return d->lane[lane] == NONE ? NULL : &d->channels->entries[d->lane[lane]];
+    return d->component[component] == NONE ? NULL : &d->channels->entries[d->component[component]];
 }
 
 static int find_channel(const ExrReader *d, const char *name)
@@ -130,15 +130,15 @@ static int find_channel(const ExrReader *d, const char *name)
 /* Selects the channels R, G and B, or Y for all three, and A. */
 static bool choose_channels(ExrReader *d)
 {
-    static const char *const names[LANES] = {"R", "G", "B", "A"};
-    for (int lane = 0; lane < LANES; lane++)
-        d->lane[lane] = find_channel(d, names[lane]);
-    if (d->lane[0] == NONE && d->lane[1] == NONE && d->lane[2] == NONE)
-        d->lane[0] = d->lane[1] = d->lane[2] = find_channel(d, "Y");
-    if (d->lane[0] == NONE && d->lane[1] == NONE && d->lane[2] == NONE)
+    static const char *const names[COMPONENTS] = {"R", "G", "B", "A"};
+    for (int component = 0; component < COMPONENTS; component++)
+        d->component[component] = find_channel(d, names[component]);
+    if (d->component[0] == NONE && d->component[1] == NONE && d->component[2] == NONE)
+        d->component[0] = d->component[1] = d->component[2] = find_channel(d, "Y");
+    if (d->component[0] == NONE && d->component[1] == NONE && d->component[2] == NONE)
         return fail(d, too_strange);
-    for (int lane = 0; lane < LANES; lane++) {
-        const exr_attr_chlist_entry_t *entry = channel(d, lane);
+    for (int component = 0; component < COMPONENTS; component++) {
+        const exr_attr_chlist_entry_t *entry = channel(d, component);
         if (entry && (entry->x_sampling != 1 || entry->y_sampling != 1))
             return fail(d, subsampled);
         if (entry && entry->pixel_type != EXR_PIXEL_HALF && entry->pixel_type != EXR_PIXEL_FLOAT)
@@ -209,8 +209,8 @@ static bool read_header(ExrReader *d)
     if (why)
         return fail(d, why);
     bool halves = true;
-    for (int lane = 0; lane < LANES; lane++)
-        halves &= !channel(d, lane) || channel(d, lane)->pixel_type == EXR_PIXEL_HALF;
+    for (int component = 0; component < COMPONENTS; component++)
+        halves &= !channel(d, component) || channel(d, component)->pixel_type == EXR_PIXEL_HALF;
     *image = (Image){.path = image->path,
                      .index = image->index,
                      .width = (int)width_of(&d->display),
@@ -287,7 +287,7 @@ static float *texel_at(const ExrReader *d, int64_t x, int64_t y)
     const int64_t column = x - d->display.min.x, row = d->display.max.y - y;
     if (!image->texels || column < 0 || column >= image->width || row < 0 || row >= image->height)
         return NULL;
-    return (float *)image->texels + (row * image->width + column) * LANES;
+    return (float *)image->texels + (row * image->width + column) * COMPONENTS;
 }
 
 /* Stores a channel's samples of a line in every component that uses the channel. */
@@ -301,11 +301,11 @@ static bool put_line(ExrReader *d, int number, int width, const int at[2], Sampl
         const uint32_t bits = take(samples, bytes);
         const float value = bytes == 2 ? half_from(bits) : float_from(bits);
         float *texel = texel_at(d, (int64_t)at[0] + i, at[1]);
-        for (int lane = 0; lane < LANES; lane++)
-            if (d->lane[lane] == number && !isfinite(value))
+        for (int component = 0; component < COMPONENTS; component++)
+            if (d->component[component] == number && !isfinite(value))
                 return fail(d, not_finite);
-            else if (d->lane[lane] == number && texel)
-                texel[lane] = value;
+            else if (d->component[component] == number && texel)
+                texel[component] = value;
     }
     return true;
 }
@@ -390,7 +390,7 @@ static void clear(ExrReader *d)
         const int64_t x = d->display.min.x + i % image->width,
                       y = d->display.max.y - i / image->width;
         if (x >= d->data.min.x && x <= d->data.max.x && y >= d->data.min.y && y <= d->data.max.y)
-            texels[i * LANES + 3] = 1;
+            texels[i * COMPONENTS + 3] = 1;
     }
 }
 

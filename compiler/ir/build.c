@@ -52,33 +52,38 @@ Ref build_linear(Ir *ir, const Ref *args, int count)
                    args);
 }
 
-Type build_lanes_type(int lanes)
+Type build_components_type(int components)
 {
     static const Type types[] = {TYPE_float, TYPE_float, TYPE_vec2, TYPE_vec3, TYPE_vec4};
-    return types[lanes];
+    return types[components];
 }
 
-Ref build_lanes(Ir *ir, Ref a, uint32_t lanes, int count)
+Ref build_components(Ir *ir, Ref a, uint32_t components, int count)
 {
-    if (ir_lanes(ir, a) == 1)
-        return count == 1 ? a : build_convert(ir, a, build_lanes_type(count));
-    return ir_make(
-        ir,
-        (IrNode){.op = OP_swizzle, .type = build_lanes_type(count), .count = 1, .payload = lanes},
-        &a);
+    if (ir_components(ir, a) == 1)
+        return count == 1 ? a : build_convert(ir, a, build_components_type(count));
+    return ir_make(ir,
+                   (IrNode){.op = OP_swizzle,
+                            .type = build_components_type(count),
+                            .count = 1,
+                            .payload = components},
+                   &a);
 }
 
-Ref build_lane(Ir *ir, Ref a, int lane) { return build_lanes(ir, a, (uint32_t)lane, 1); }
+Ref build_component(Ir *ir, Ref a, int component)
+{
+    return build_components(ir, a, (uint32_t)component, 1);
+}
 
 /* Encodes a swizzle with two bits per component, the first lowest: "zx" of a vec3 has the
  * payload 2 | 0 << 2. */
 Ref build_swizzle(Ir *ir, Ref a, const char *letters)
 {
-    uint32_t lanes = 0;
+    uint32_t components = 0;
     int count = (int)strlen(letters);
     for (int i = 0; i < count; i++)
-        lanes |= (letters[i] == 'w' ? 3u : (uint32_t)(letters[i] - 'x')) << 2 * i;
-    return build_lanes(ir, a, lanes, count);
+        components |= (letters[i] == 'w' ? 3u : (uint32_t)(letters[i] - 'x')) << 2 * i;
+    return build_components(ir, a, components, count);
 }
 
 Ref build_vec_of(Ir *ir, Type type, const Ref *parts, int count)
@@ -90,7 +95,7 @@ Ref build_splat(Ir *ir, Ref a, Type type)
 {
     return ir_type(ir, a) == type
                ? a
-               : build_vec_of(ir, type, (Ref[]){a, a, a, a}, type_table[type].lanes);
+               : build_vec_of(ir, type, (Ref[]){a, a, a, a}, type_table[type].components);
 }
 
 /* Narrowing to a float takes the mean, to a vector the first components. Widening fills with 0,
@@ -99,18 +104,18 @@ Ref build_splat(Ir *ir, Ref a, Type type)
 Ref build_convert(Ir *ir, Ref a, Type type)
 {
     Type from = ir_type(ir, a);
-    int lanes = type_table[type].lanes;
+    int components = type_table[type].components;
     if (from == type)
         return a;
     Ref zero = 0, one = 0;
-    if (lanes > type_table[from].lanes) {
+    if (components > type_table[from].components) {
         zero = build_float(ir, 0);
         one = build_float(ir, 1);
     }
     if (type == TYPE_float)
-        return build_dot(ir, a, build_all(ir, from, 1.0 / type_table[from].lanes));
-    if (lanes < type_table[from].lanes)
-        return build_swizzle(ir, a, lanes == 2 ? "xy" : "xyz");
+        return build_dot(ir, a, build_all(ir, from, 1.0 / type_table[from].components));
+    if (components < type_table[from].components)
+        return build_swizzle(ir, a, components == 2 ? "xy" : "xyz");
     switch (from) {
     case TYPE_vec2:
         return type == TYPE_vec3 ? build_vec(ir, type, a, zero) : build_vec(ir, type, a, zero, one);

@@ -130,10 +130,10 @@ Ref build_linear(Ir *ir, const Ref *args, int count);
 /* Swizzles a vector: by letters of "xyzw", by two bits per component, or a single component by
  * its number. A float has only the component x. */
 Ref build_swizzle(Ir *ir, Ref a, const char *letters);
-Ref build_lanes(Ir *ir, Ref a, uint32_t lanes, int count);
-Ref build_lane(Ir *ir, Ref a, int lane);
+Ref build_components(Ir *ir, Ref a, uint32_t components, int count);
+Ref build_component(Ir *ir, Ref a, int component);
 /* Returns float, vec2, vec3 or vec4 for 1 to 4 components. */
-Type build_lanes_type(int lanes);
+Type build_components_type(int components);
 /* Builds a vector from parts; their components together are those of the type. */
 #define build_vec(ir, type, ...)                                                                   \
     build_vec_of(ir, type, REFS(ir, __VA_ARGS__), REFS_COUNT(__VA_ARGS__))

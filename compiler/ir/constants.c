@@ -16,7 +16,7 @@ static uint32_t add_constant(Ir *ir, Type type, const double *numbers, const Val
                              uint32_t origin)
 {
     IrConstant constant = {.type = type, .origin = origin, .source = source, .member = -1};
-    memcpy(constant.numbers, numbers, sizeof(double) * (size_t)type_table[type].lanes);
+    memcpy(constant.numbers, numbers, sizeof(double) * (size_t)type_table[type].components);
     ARENA_PUSH(ir->arena, ir->constants, ir->constant_count, ir->constant_room, constant);
     return (uint32_t)ir->constant_count - 1;
 }
@@ -72,7 +72,7 @@ static void become_constant(Ir *ir, Ref ref, Ref known, bool room)
     IrNode *node = &ir->nodes[ref];
     uint32_t origin = node->origin;
     double numbers[4];
-    memcpy(numbers, ir_numbers(ir, known), sizeof(double) * (size_t)ir_lanes(ir, known));
+    memcpy(numbers, ir_numbers(ir, known), sizeof(double) * (size_t)ir_components(ir, known));
     *node = *ir_at(ir, known);
     node->origin = origin;
     if (!room)
@@ -185,11 +185,11 @@ static void order(const IrConstant *list, size_t count, size_t *to)
     size_t placed = 0, next_number = 0;
     for (int w = 0; w < 4; w++)
         for (size_t i = w == 3 ? next_number : 0; i < count; i++) {
-            if (type_table[list[i].type].lanes != widths[w])
+            if (type_table[list[i].type].components != widths[w])
                 continue;
             to[placed++] = i;
             while (widths[w] == 3 && next_number < count &&
-                   type_table[list[next_number].type].lanes != 1)
+                   type_table[list[next_number].type].components != 1)
                 next_number++;
             if (widths[w] == 3 && next_number < count)
                 to[placed++] = next_number++;

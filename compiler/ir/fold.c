@@ -8,7 +8,7 @@
 
 enum { MOST_CALL_NUMBERS = 64 };
 
-static double lane_value(Op op, double a, double b, double c)
+static double component_value(Op op, double a, double b, double c)
 {
     (void)b, (void)c;
     switch (op) {
@@ -21,23 +21,24 @@ static double lane_value(Op op, double a, double b, double c)
     }
 }
 
-static double lane_of(const FoldArg *arg, int lane)
+static double component_of(const FoldArg *arg, int component)
 {
-    return arg->numbers[type_table[arg->type].lanes > 1 ? lane : 0];
+    return arg->numbers[type_table[arg->type].components > 1 ? component : 0];
 }
 
 /* Folds an operation that works per component. Returns false for a comparison of vectors, which
  * GLSL writes with other functions. */
-static bool fold_lanes(const IrNode *node, const FoldArg *args, double *result)
+static bool fold_components(const IrNode *node, const FoldArg *args, double *result)
 {
     static const FoldArg none = {TYPE_float, {0}};
     const FoldArg *b = node->count > 1 ? &args[1] : &none, *c = node->count > 2 ? &args[2] : &none;
     const bool compares = op_table[node->op].rule == RULE_boolean;
-    int lanes = type_table[compares ? args[0].type : (Type)node->type].lanes;
-    if (compares && lanes > 1)
+    int components = type_table[compares ? args[0].type : (Type)node->type].components;
+    if (compares && components > 1)
         return false;
-    for (int i = 0; i < lanes; i++)
-        result[i] = lane_value((Op)node->op, lane_of(&args[0], i), lane_of(b, i), lane_of(c, i));
+    for (int i = 0; i < components; i++)
+        result[i] = component_value((Op)node->op, component_of(&args[0], i), component_of(b, i),
+                                    component_of(c, i));
     return true;
 }
 
@@ -53,21 +54,21 @@ static void fold_call(const Site *s, double *result)
     double numbers[MOST_CALL_NUMBERS];
     int used = 0;
     for (int i = 0; i < s->node->count; i++)
-        for (int lane = 0; lane < type_table[s->args[i].type].lanes; lane++)
-            numbers[used++] = s->args[i].numbers[lane];
+        for (int component = 0; component < type_table[s->args[i].type].components; component++)
+            numbers[used++] = s->args[i].numbers[component];
     reference_of((int)s->node->payload)(s->context, numbers, result);
 }
 
 static void fold_vec(const Site *s, double *result)
 {
     for (int i = 0; i < s->node->count; i++)
-        for (int lane = 0; lane < type_table[s->args[i].type].lanes; lane++)
-            *result++ = s->args[i].numbers[lane];
+        for (int component = 0; component < type_table[s->args[i].type].components; component++)
+            *result++ = s->args[i].numbers[component];
 }
 
 static void fold_swizzle(const Site *s, double *result)
 {
-    for (int i = 0; i < type_table[s->node->type].lanes; i++)
+    for (int i = 0; i < type_table[s->node->type].components; i++)
         result[i] = s->args[0].numbers[s->node->payload >> 2 * i & 3];
 }
 
@@ -79,7 +80,7 @@ static void fold_select(const Site *s, double *result)
 static double sum_of_products(const FoldArg *a, const FoldArg *b)
 {
     double sum = 0;
-    for (int i = 0; i < type_table[a->type].lanes; i++)
+    for (int i = 0; i < type_table[a->type].components; i++)
         sum += a->numbers[i] * b->numbers[i];
     return sum;
 }
@@ -103,7 +104,7 @@ static void fold_cross(const Site *s, double *result)
 
 static void fold_linear(const Site *s, double *result)
 {
-    for (int i = 0; i < type_table[s->node->type].lanes; i++) {
+    for (int i = 0; i < type_table[s->node->type].components; i++) {
         result[i] = 0;
         for (int k = 1; k < s->node->count; k++)
             result[i] += s->args[k].numbers[i] * s->args[0].numbers[k - 1];
@@ -117,7 +118,7 @@ bool fold_value(const ReferenceContext *context, const IrNode *node, const FoldA
     switch (node->op) {
 #define FOLD(name, value)                                                                          \
     case OP_##name:                                                                                \
-        return fold_lanes(node, args, result);
+        return fold_components(node, args, result);
 #define FOLD_NODE(name, function)                                                                  \
     case OP_##name:                                                                                \
         function(&site, result);                                                                   \
@@ -128,9 +129,9 @@ bool fold_value(const ReferenceContext *context, const IrNode *node, const FoldA
     }
 }
 
-bool fold_lane(Op op, const double *args, double *result)
+bool fold_component(Op op, const double *args, double *result)
 {
-    *result = lane_value(op, args[0], args[1], args[2]);
+    *result = component_value(op, args[0], args[1], args[2]);
     return isfinite(*result);
 }
 
@@ -145,12 +146,12 @@ bool fold_node(const Ir *ir, const IrNode *node, const Ref *args, double *result
     for (int i = 0; i < node->count; i++) {
         values[i].type = ir_type(ir, args[i]);
         memcpy(values[i].numbers, ir_numbers(ir, args[i]),
-               sizeof(double) * (size_t)ir_lanes(ir, args[i]));
+               sizeof(double) * (size_t)ir_components(ir, args[i]));
     }
     ReferenceContext context = {.noise = ir->noise};
     if (!fold_value(&context, node, values, result))
         return false;
-    for (int i = 0; i < type_table[node->type].lanes; i++)
+    for (int i = 0; i < type_table[node->type].components; i++)
         if (!isfinite(result[i]))
             return false; /* the result is left to the shader */
     return true;

@@ -179,22 +179,22 @@ static Ref find_or_add(Ir *ir, IrNode *node, const Ref *args)
 
 Ref ir_const(Ir *ir, Type type, const double *numbers)
 {
-    const int lanes = type_table[type].lanes;
+    const int components = type_table[type].components;
     if (ir->moved)
         rehash(ir);
     IrNode node = {.op = OP_const, .type = (uint8_t)type, .flags = NODE_simple | NODE_final};
-    node.hash = hash_numbers(mix_hash(OP_const, type), numbers, lanes);
+    node.hash = hash_numbers(mix_hash(OP_const, type), numbers, components);
     uint32_t at = node.hash & ir->mask;
     for (; ir->table[at]; at = (at + 1) & ir->mask) {
         const IrNode *other = &ir->nodes[ir->table[at]];
         if (other->hash == node.hash && other->op == OP_const && other->type == type &&
-            equal_numbers(&ir->numbers[other->payload], numbers, lanes))
+            equal_numbers(&ir->numbers[other->payload], numbers, components))
             return ir->table[at];
     }
     node.payload = (uint32_t)ir->number_count;
     node.origin = ir->origin;
     /* `numbers` may point into ir->numbers; the arena keeps the old array when the list grows. */
-    for (int i = 0; i < lanes; i++)
+    for (int i = 0; i < components; i++)
         ARENA_PUSH(ir->arena, ir->numbers, ir->number_count, ir->number_room, numbers[i]);
     return add_node(ir, &node, at);
 }
@@ -203,7 +203,7 @@ static Type widest(const Ir *ir, const Ref *args, int count)
 {
     Type type = ir_type(ir, args[0]);
     for (int i = 1; i < count; i++)
-        if (ir_lanes(ir, args[i]) > type_table[type].lanes)
+        if (ir_components(ir, args[i]) > type_table[type].components)
             type = ir_type(ir, args[i]);
     return type;
 }
@@ -237,7 +237,7 @@ bool ir_is_number(const Ir *ir, Ref ref, double value)
 {
     if (!ir_is(ir, ref, OP_const))
         return false;
-    for (int i = 0; i < ir_lanes(ir, ref); i++)
+    for (int i = 0; i < ir_components(ir, ref); i++)
         if (!(ir_numbers(ir, ref)[i] == value))
             return false;
     return true;
@@ -339,16 +339,16 @@ const uint8_t *ir_live_kept(Ir *ir)
 int ir_cost(const Ir *ir, Ref ref)
 {
     const IrNode *node = &ir->nodes[ref];
-    const int lanes = type_table[node->type].lanes;
+    const int components = type_table[node->type].components;
     switch (node->op) {
-#define operand_lanes ir_lanes(ir, ir_arg(ir, ref, 0))
+#define operand_components ir_components(ir, ir_arg(ir, ref, 0))
 #define COST(name, count)                                                                          \
     case OP_##name:                                                                                \
         return count;
 #include "grammar/ops.def"
-#undef operand_lanes
+#undef operand_components
     default:
-        return lanes;
+        return components;
     }
 }
 

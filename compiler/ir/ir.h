@@ -35,13 +35,13 @@ typedef enum {
     PAYLOAD_input,   /* an Input of inputs.def */
     /* ATTRIBUTE_PARTS times the attribute's index in the graph, plus an AttributePart */
     PAYLOAD_attribute,
-    PAYLOAD_uniform,  /* index of a uniform in the graph */
-    PAYLOAD_member,   /* index of a constant of the IR */
-    PAYLOAD_argument, /* argument set << 8 | index in the set */
-    PAYLOAD_texture,  /* index of a texture of the IR */
-    PAYLOAD_lanes,    /* a swizzle, two bits per component */
-    PAYLOAD_library,  /* a library Function */
-    PAYLOAD_function  /* index of a function of the program: ir_applies */
+    PAYLOAD_uniform,    /* index of a uniform in the graph */
+    PAYLOAD_member,     /* index of a constant of the IR */
+    PAYLOAD_argument,   /* argument set << 8 | index in the set */
+    PAYLOAD_texture,    /* index of a texture of the IR */
+    PAYLOAD_components, /* a swizzle, two bits per component */
+    PAYLOAD_library,    /* a library Function */
+    PAYLOAD_function    /* index of a function of the program: ir_applies */
 } Payload;
 extern const uint8_t op_payload[]; /* the Payload kind of each operation */
 
@@ -204,7 +204,10 @@ static inline Ref ir_arg(const Ir *ir, Ref ref, int i)
     return ir->args[ir->nodes[ref].first + (uint32_t)i];
 }
 static inline Type ir_type(const Ir *ir, Ref ref) { return (Type)ir->nodes[ref].type; }
-static inline int ir_lanes(const Ir *ir, Ref ref) { return type_table[ir->nodes[ref].type].lanes; }
+static inline int ir_components(const Ir *ir, Ref ref)
+{
+    return type_table[ir->nodes[ref].type].components;
+}
 static inline bool ir_is(const Ir *ir, Ref ref, Op op) { return ir->nodes[ref].op == op; }
 /* Returns the numbers of a literal. */
 static inline const double *ir_numbers(const Ir *ir, Ref ref)
@@ -318,7 +321,7 @@ const char *ir_origin_title(const Node *map);
 
 /* Folds one component of an operation that works per component; false if the result is not
  * finite. fold.c */
-bool fold_lane(Op op, const double *args, double *result);
+bool fold_component(Op op, const double *args, double *result);
 /* Folds a node over constant operands. Returns false if an operand is not constant or the node
  * has no constant value (a texture, an input). */
 bool fold_node(const Ir *ir, const IrNode *node, const Ref *args, double *result);

@@ -62,12 +62,13 @@ static const char *check_widest(const Ir *ir, Ref ref)
         Type type = ir_type(ir, ir_arg(ir, ref, i));
         if (type < TYPE_float || type > TYPE_vec4)
             return "an operand of arithmetic is not a number";
-        widest = type_table[type].lanes > widest ? type_table[type].lanes : widest;
+        widest = type_table[type].components > widest ? type_table[type].components : widest;
     }
     for (int i = 0; i < ir_at(ir, ref)->count; i++)
-        if (ir_lanes(ir, ir_arg(ir, ref, i)) != 1 && ir_lanes(ir, ir_arg(ir, ref, i)) != widest)
+        if (ir_components(ir, ir_arg(ir, ref, i)) != 1 &&
+            ir_components(ir, ir_arg(ir, ref, i)) != widest)
             return "operands of arithmetic have different lanes";
-    return ir_lanes(ir, ref) == widest ? NULL : "a result has not the lanes of its operands";
+    return ir_components(ir, ref) == widest ? NULL : "a result has not the lanes of its operands";
 }
 
 static const char *check_boolean(const Ir *ir, Ref ref)
@@ -76,7 +77,7 @@ static const char *check_boolean(const Ir *ir, Ref ref)
     bool logic = node->op == OP_and || node->op == OP_or || node->op == OP_not;
     for (int i = 0; i < node->count; i++) {
         Ref arg = ir_arg(ir, ref, i);
-        if (ir_lanes(ir, arg) != 1 || (logic && ir_type(ir, arg) != TYPE_bool) ||
+        if (ir_components(ir, arg) != 1 || (logic && ir_type(ir, arg) != TYPE_bool) ||
             ir_type(ir, arg) != ir_type(ir, ir_arg(ir, ref, 0)))
             return "operands of a comparison do not fit";
     }
@@ -85,7 +86,7 @@ static const char *check_boolean(const Ir *ir, Ref ref)
 
 static const char *check_const(const Ir *ir, Ref ref)
 {
-    for (int i = 0; i < ir_lanes(ir, ref); i++)
+    for (int i = 0; i < ir_components(ir, ref); i++)
         if (!isfinite(ir_numbers(ir, ref)[i]))
             return "a constant is not finite";
     return NULL;
@@ -103,10 +104,12 @@ static const char *check_select(const Ir *ir, Ref ref)
 
 static const char *check_vec(const Ir *ir, Ref ref)
 {
-    int lanes = 0;
+    int components = 0;
     for (int i = 0; i < ir_at(ir, ref)->count; i++)
-        lanes += ir_lanes(ir, ir_arg(ir, ref, i));
-    return lanes == ir_lanes(ir, ref) && lanes > 1 ? NULL : "a vector's parts do not fill it";
+        components += ir_components(ir, ir_arg(ir, ref, i));
+    return components == ir_components(ir, ref) && components > 1
+               ? NULL
+               : "a vector's parts do not fill it";
 }
 
 static const char *check_linear(const Ir *ir, Ref ref)
@@ -114,15 +117,15 @@ static const char *check_linear(const Ir *ir, Ref ref)
     for (int i = 0; i < ir_at(ir, ref)->count; i++)
         if (ir_type(ir, ir_arg(ir, ref, i)) != ir_type(ir, ref))
             return "a matrix and its vector differ in lanes";
-    return ir_at(ir, ref)->count == ir_lanes(ir, ref) + 1
+    return ir_at(ir, ref)->count == ir_components(ir, ref) + 1
                ? NULL
                : "a matrix has the wrong number of columns";
 }
 
 static const char *check_swizzle(const Ir *ir, Ref ref)
 {
-    for (int i = 0; i < ir_lanes(ir, ref); i++)
-        if ((int)(ir_at(ir, ref)->payload >> 2 * i & 3) >= ir_lanes(ir, ir_arg(ir, ref, 0)))
+    for (int i = 0; i < ir_components(ir, ref); i++)
+        if ((int)(ir_at(ir, ref)->payload >> 2 * i & 3) >= ir_components(ir, ir_arg(ir, ref, 0)))
             return "a swizzle takes a lane that is not there";
     return NULL;
 }

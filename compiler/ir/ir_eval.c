@@ -36,7 +36,7 @@ static double rounded(const Evaluator *e, const IrNode *node, const FoldArg *arg
 
 static void copy(const IrNode *node, const double *numbers, double *result)
 {
-    memcpy(result, numbers, sizeof *numbers * (size_t)type_table[node->type].lanes);
+    memcpy(result, numbers, sizeof *numbers * (size_t)type_table[node->type].components);
 }
 
 static void eval_const(const Site *s, double *result)
@@ -110,11 +110,11 @@ static void eval_kernel(const Site *s, double *result)
         double value[4] = {0};
         memcpy(moved, s->args, sizeof moved);
         for (int i = 0; i < node->count - 1; i++)
-            for (int lane = 0; lane < type_table[s->args[i].type].lanes; lane++)
-                moved[i].numbers[lane] += offset[lane];
+            for (int component = 0; component < type_table[s->args[i].type].components; component++)
+                moved[i].numbers[component] += offset[component];
         run_function(s, moved, value);
-        for (int lane = 0; lane < type_table[node->type].lanes; lane++)
-            result[lane] = rounded(s->e, node, s->args, result[lane] + value[lane]);
+        for (int component = 0; component < type_table[node->type].components; component++)
+            result[component] = rounded(s->e, node, s->args, result[component] + value[component]);
     }
 }
 
@@ -145,7 +145,7 @@ static void eval_node(Evaluator *e, Frame *frame, Ref ref)
     default:
         fold_value(e->context, node, args, result);
     }
-    for (int i = 0; i < type_table[node->type].lanes; i++)
+    for (int i = 0; i < type_table[node->type].components; i++)
         result[i] = rounded(e, node, args, result[i]);
 }
 

@@ -13,7 +13,7 @@
 
 static void print_numbers(Text *out, int type, const double *numbers)
 {
-    for (int i = 0; i < type_table[type].lanes; i++) {
+    for (int i = 0; i < type_table[type].components; i++) {
         text_char(out, ' ');
         text_double(out, numbers[i]);
     }
@@ -46,9 +46,9 @@ static void print_payload(Text *out, const Ir *ir, const IrNode *node)
     case PAYLOAD_texture:
         text_format(out, " %u", node->payload);
         break;
-    case PAYLOAD_lanes:
+    case PAYLOAD_components:
         text_put(out, " .");
-        for (int i = 0; i < type_table[node->type].lanes; i++)
+        for (int i = 0; i < type_table[node->type].components; i++)
             text_char(out, "xyzw"[node->payload >> 2 * i & 3]);
         break;
     case PAYLOAD_library:

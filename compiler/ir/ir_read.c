@@ -64,9 +64,9 @@ static const char *type_name(int i) { return type_table[i].name; }
 static const char *input_name(int i) { return input_table[i].name; }
 static const char *call_name(int i) { return function_row(i)->name; }
 
-static bool read_lanes(const char *text, Type type, uint32_t *payload)
+static bool read_components(const char *text, Type type, uint32_t *payload)
 {
-    if (text[0] != '.' || (int)strlen(text + 1) != type_table[type].lanes)
+    if (text[0] != '.' || (int)strlen(text + 1) != type_table[type].components)
         return false;
     for (int i = 0; text[i + 1]; i++) {
         const char *letter = strchr("xyzw", text[i + 1]);
@@ -109,7 +109,7 @@ static int attribute_payload(const Graph *graph, const char *text)
 /* Returns the payload that a word names; -1 if the word is unknown. */
 static int named_payload(const Scanner *s, Payload kind, Type type, const char *text)
 {
-    uint32_t lanes = 0;
+    uint32_t components = 0;
     switch (kind) {
     case PAYLOAD_input:
         return find(text, input_name, INPUT_COUNT);
@@ -121,8 +121,8 @@ static int named_payload(const Scanner *s, Payload kind, Type type, const char *
         return strchr(text, '.') ? argument_payload(atoi(text), atoi(strchr(text, '.') + 1)) : -1;
     case PAYLOAD_texture:
         return atoi(text);
-    case PAYLOAD_lanes:
-        return read_lanes(text, type, &lanes) ? (int)lanes : -1;
+    case PAYLOAD_components:
+        return read_components(text, type, &components) ? (int)components : -1;
     case PAYLOAD_library:
         return find(text, call_name, FUNCTION_COUNT);
     case PAYLOAD_function:
@@ -147,16 +147,16 @@ static bool read_payload(Scanner *s, Op op, Type type, uint32_t *payload)
 /* Reads a literal, or a constant of the uniform block; each of the latter is separate. */
 static Ref read_const(Scanner *s, Op op, Type type)
 {
-    double lanes[4] = {0};
+    double components[4] = {0};
     char text[LIMIT_NAME];
-    for (int i = 0; i < type_table[type].lanes; i++)
-        if (!word(s, text, sizeof text) || !text_number(text, strlen(text), &lanes[i]) ||
-            lanes[i] - lanes[i] != 0) {
+    for (int i = 0; i < type_table[type].components; i++)
+        if (!word(s, text, sizeof text) || !text_number(text, strlen(text), &components[i]) ||
+            components[i] - components[i] != 0) {
             fail(s, "a constant lacks a number");
             return 0;
         }
-    return op_payload[op] == PAYLOAD_numbers ? ir_const(s->ir, type, lanes)
-                                             : ir_constant(s->ir, type, lanes, NULL);
+    return op_payload[op] == PAYLOAD_numbers ? ir_const(s->ir, type, components)
+                                             : ir_constant(s->ir, type, components, NULL);
 }
 
 static Ref read_node(Scanner *s)

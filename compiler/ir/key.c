@@ -63,7 +63,7 @@ static void put_value(Walk *w, Ref value, bool placed)
         return;
     }
     put(w, constant | (uint32_t)type);
-    for (int i = 0; i < ir_lanes(ir, value); i++) {
+    for (int i = 0; i < ir_components(ir, value); i++) {
         double number = written(type, ir_numbers(ir, value)[i]);
         if (placed)
             ARENA_PUSH(w->arena, w->numbers, w->number_count, w->number_room, number);

@@ -8,7 +8,7 @@
 #include "compiler/library/references.h"
 #include <math.h>
 
-enum { MOST_GUARDS = 16, SEEN_SLOTS = 128, MOST_LANES = 4 };
+enum { MOST_GUARDS = 16, SEEN_SLOTS = 128, MOST_COMPONENTS = 4 };
 
 typedef struct {
     Ref ref;
@@ -27,12 +27,12 @@ typedef struct Guards {
 typedef struct {
     uint32_t set;
     Ref ref;
-    int lane;
+    int component;
     Interval found;
-} SeenLane;
+} SeenComponent;
 
 typedef struct Seen {
-    SeenLane slots[SEEN_SLOTS];
+    SeenComponent slots[SEEN_SLOTS];
     uint32_t sets; /* number of sets so far */
 } Seen;
 
@@ -53,44 +53,49 @@ struct Seen *range_seen_new(Arena *arena)
  *     t in [0, 4], select(t < 1, t * t, 2)    [0, 16] by t alone; in the first arm t is in
  *                                             [0, 1], so the result is in [0, 2] */
 
-static SeenLane *seen_slot(const Ranges *r, Ref ref, int lane)
+static SeenComponent *seen_slot(const Ranges *r, Ref ref, int component)
 {
-    return &r->seen->slots[(ref * 4 + (Ref)lane) % SEEN_SLOTS];
+    return &r->seen->slots[(ref * 4 + (Ref)component) % SEEN_SLOTS];
 }
 
 /* Number of intervals of a node: one per component; a sampler, without components, has one. */
-static int lanes_of(const Ir *ir, Ref ref) { return ir_lanes(ir, ref) ? ir_lanes(ir, ref) : 1; }
+static int components_of(const Ir *ir, Ref ref)
+{
+    return ir_components(ir, ref) ? ir_components(ir, ref) : 1;
+}
 
 /* Recomputes the interval of a node that depends on guarded nodes, from its operands under the
  * guards. */
-static Interval found_again(const Ranges *r, const Ir *ir, Ref ref, int lane)
+static Interval found_again(const Ranges *r, const Ir *ir, Ref ref, int component)
 {
     Guards *guards = r->guards;
     const uint32_t set = guards->set;
-    SeenLane *slot = seen_slot(r, ref, lane);
-    if (slot->set == set && slot->ref == ref && slot->lane == lane)
+    SeenComponent *slot = seen_slot(r, ref, component);
+    if (slot->set == set && slot->ref == ref && slot->component == component)
         return slot->found;
     if (guards->depth == LIMIT_GUARD_DEPTH || guards->steps-- <= 0)
         return everything;
     guards->depth++;
     if (ir_is(ir, ref, OP_select)) {
-        Interval lanes[MOST_LANES];
-        range_select(r, ir, ref, lanes_of(ir, ref), lanes);
-        for (int i = 0; i < lanes_of(ir, ref); i++)
-            *seen_slot(r, ref, i) = (SeenLane){set, ref, i, lanes[i]};
+        Interval components[MOST_COMPONENTS];
+        range_select(r, ir, ref, components_of(ir, ref), components);
+        for (int i = 0; i < components_of(ir, ref); i++)
+            *seen_slot(r, ref, i) = (SeenComponent){set, ref, i, components[i]};
     } else {
-        *slot = (SeenLane){set, ref, lane, range_computed(r, ir, ref, lane)};
+        *slot = (SeenComponent){set, ref, component, range_computed(r, ir, ref, component)};
     }
     guards->depth--;
     return slot->found;
 }
 
-Interval range_guarded(const Ranges *r, const Ir *ir, Ref ref, int lane)
+Interval range_guarded(const Ranges *r, const Ir *ir, Ref ref, int component)
 {
     const Guards *guards = r->guards;
-    Interval kept = range_kept(r, ref, lane);
+    Interval kept = range_kept(r, ref, component);
     bool guarded = false;
-    lane = r->place[ref].by_lane ? lane : 0; /* a node with a single interval for all components */
+    component = r->place[ref].by_component
+                    ? component
+                    : 0; /* a node with a single interval for all components */
     for (int i = 0; i < guards->count; i++)
         if (guards->at[i].ref == ref) {
             kept = both(kept, guards->at[i].within);
@@ -98,7 +103,7 @@ Interval range_guarded(const Ranges *r, const Ir *ir, Ref ref, int lane)
         }
     if (guarded)
         return kept;
-    const Interval found = found_again(r, ir, ref, lane), narrow = both(kept, found);
+    const Interval found = found_again(r, ir, ref, component), narrow = both(kept, found);
     return isnan(found.low) || isnan(found.high) || is_empty(narrow) ? kept : narrow;
 }
 
@@ -111,7 +116,7 @@ static bool read_condition(const Ranges *r, const Ir *ir, Ref condition, Ref *va
     if (node->op != OP_lt && node->op != OP_le)
         return false;
     const Ref a = ir_arg(ir, condition, 0), b = ir_arg(ir, condition, 1);
-    if (ir_lanes(ir, a) != 1 || ir_lanes(ir, b) != 1)
+    if (ir_components(ir, a) != 1 || ir_components(ir, b) != 1)
         return false;
     const bool right = ir_is(ir, b, OP_const);
     const double at = range_kept(r, right ? b : a, 0).low;
@@ -122,14 +127,14 @@ static bool read_condition(const Ranges *r, const Ir *ir, Ref condition, Ref *va
 }
 
 /* Finds the intervals of all components of a select's arm, given its side of the condition. */
-static void find_arm(Ranges *r, const Ir *ir, Ref arm, Guard side, Interval found[MOST_LANES])
+static void find_arm(Ranges *r, const Ir *ir, Ref arm, Guard side, Interval found[MOST_COMPONENTS])
 {
     const Interval none = {INFINITY, -INFINITY};
-    const int lanes = lanes_of(ir, arm);
+    const int components = components_of(ir, arm);
     side.within = both(range_of(r, ir, side.ref, 0), side.within);
     if (is_empty(side.within)) { /* the arm is never taken */
-        for (int lane = 0; lane < lanes; lane++)
-            found[lane] = none;
+        for (int component = 0; component < components; component++)
+            found[component] = none;
         return;
     }
     Guards *guards = r->guards;
@@ -138,8 +143,8 @@ static void find_arm(Ranges *r, const Ir *ir, Ref arm, Guard side, Interval foun
     guards->at[guards->count++] = side;
     r->guarded |= range_mark(side.ref);
     guards->set = ++r->seen->sets;
-    for (int lane = 0; lane < lanes; lane++)
-        found[lane] = range_of(r, ir, arm, lane);
+    for (int component = 0; component < components; component++)
+        found[component] = range_of(r, ir, arm, component);
     guards->count--;
     r->guarded = guarded;
     guards->set = set;
@@ -147,21 +152,21 @@ static void find_arm(Ranges *r, const Ir *ir, Ref arm, Guard side, Interval foun
 
 /* Union of both arms, used if the condition is no comparison with a constant, or there are too
  * many guards. */
-static Interval select_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
+static Interval select_range(const Ranges *r, const Ir *ir, Ref ref, int component)
 {
-    return hull(range_of(r, ir, ir_arg(ir, ref, 1), lane),
-                range_of(r, ir, ir_arg(ir, ref, 2), lane));
+    return hull(range_of(r, ir, ir_arg(ir, ref, 1), component),
+                range_of(r, ir, ir_arg(ir, ref, 2), component));
 }
 
-void range_select(const Ranges *r, const Ir *ir, Ref ref, int lanes, Interval *found)
+void range_select(const Ranges *r, const Ir *ir, Ref ref, int components, Interval *found)
 {
     Ref value;
     Interval sides[2];
     const Ref a = ir_arg(ir, ref, 1), b = ir_arg(ir, ref, 2);
     const bool full = r->guards && r->guards->count == MOST_GUARDS;
     if (full || !read_condition(r, ir, ir_arg(ir, ref, 0), &value, sides)) {
-        for (int lane = 0; lane < lanes; lane++)
-            found[lane] = select_range(r, ir, ref, lane);
+        for (int component = 0; component < components; component++)
+            found[component] = select_range(r, ir, ref, component);
         return;
     }
     Guards own; /* uninitialized: programs have many selects, and most need one guard */
@@ -169,14 +174,14 @@ void range_select(const Ranges *r, const Ir *ir, Ref ref, int lanes, Interval *f
     if (!r->guards) {
         own.count = own.depth = 0;
         own.set = 0;
-        own.steps = lanes * LIMIT_GUARD_STEPS;
+        own.steps = components * LIMIT_GUARD_STEPS;
         with.guards = &own;
     }
-    Interval otherwise[MOST_LANES];
+    Interval otherwise[MOST_COMPONENTS];
     find_arm(&with, ir, b, (Guard){value, sides[1]}, otherwise);
     find_arm(&with, ir, a, (Guard){value, sides[0]}, found);
-    for (int lane = 0; lane < lanes; lane++)
-        found[lane] = hull(found[lane], otherwise[lane]);
+    for (int component = 0; component < components; component++)
+        found[component] = hull(found[component], otherwise[component]);
 }
 
 /* -- Operations */
@@ -185,8 +190,8 @@ void range_select(const Ranges *r, const Ir *ir, Ref ref, int lanes, Interval *f
 static Interval whole(const Ranges *r, const Ir *ir, Ref ref)
 {
     Interval all = range_of(r, ir, ref, 0);
-    for (int lane = 1; r->lanes > 1 && lane < ir_lanes(ir, ref); lane++)
-        all = hull(all, range_of(r, ir, ref, lane));
+    for (int component = 1; r->components > 1 && component < ir_components(ir, ref); component++)
+        all = hull(all, range_of(r, ir, ref, component));
     return all;
 }
 
@@ -245,10 +250,10 @@ static bool reads_floats(const Ir *ir, Ref call)
     return ir->textures[ir_at(ir, sampler)->payload].floats;
 }
 
-static Interval call_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
+static Interval call_range(const Ranges *r, const Ir *ir, Ref ref, int component)
 {
     const int function = (int)ir_at(ir, ref)->payload;
-    (void)lane;
+    (void)component;
     switch (function) {
     case FN_turbulence:
         return octaves_range(whole(r, ir, ir_arg(ir, ref, 1)), whole(r, ir, ir_arg(ir, ref, 3)));
@@ -268,12 +273,12 @@ static Interval call_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
 
 /* Interval of a dot product: the sum over the components. With one interval for all components
  * the same term is added once per component. */
-static Interval dot_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
+static Interval dot_range(const Ranges *r, const Ir *ir, Ref ref, int component)
 {
     const Ref a = ir_arg(ir, ref, 0), b = ir_arg(ir, ref, 1);
     Interval all = {0, 0};
-    (void)lane;
-    for (int i = 0; i < ir_lanes(ir, a); i++) {
+    (void)component;
+    for (int i = 0; i < ir_components(ir, a); i++) {
         Interval x = range_of(r, ir, a, i), y = range_of(r, ir, b, i);
         all = sum(all, a == b ? square(x) : times(x, y));
     }
@@ -281,92 +286,93 @@ static Interval dot_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
 }
 
 /* Interval of a cross product's component: a_j b_k - a_k b_j with the other two components. */
-static Interval cross_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
+static Interval cross_range(const Ranges *r, const Ir *ir, Ref ref, int component)
 {
     const Ref a = ir_arg(ir, ref, 0), b = ir_arg(ir, ref, 1);
-    const int j = (lane + 1) % 3, k = (lane + 2) % 3;
+    const int j = (component + 1) % 3, k = (component + 2) % 3;
     const Interval left = times(range_of(r, ir, a, j), range_of(r, ir, b, k));
     return sum(left, negative(times(range_of(r, ir, a, k), range_of(r, ir, b, j))));
 }
 
-static Interval length_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
+static Interval length_range(const Ranges *r, const Ir *ir, Ref ref, int component)
 {
     const Ref a = ir_arg(ir, ref, 0);
     double squares = 0;
-    (void)lane;
-    for (int i = 0; i < ir_lanes(ir, a); i++)
+    (void)component;
+    for (int i = 0; i < ir_components(ir, a); i++)
         squares += square(range_of(r, ir, a, i)).high;
     return loose((Interval){0, sqrt(squares)});
 }
 
 /* Interval of one component of a matrix times a vector, given by columns. */
-static Interval linear_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
+static Interval linear_range(const Ranges *r, const Ir *ir, Ref ref, int component)
 {
     Interval all = {0, 0};
     for (int i = 1; i < ir_at(ir, ref)->count; i++)
         all = sum(all, times(range_of(r, ir, ir_arg(ir, ref, 0), i - 1),
-                             range_of(r, ir, ir_arg(ir, ref, i), lane)));
+                             range_of(r, ir, ir_arg(ir, ref, i), component)));
     return all;
 }
 
 /* Interval of a vector's component: that of its part; the union of all parts if a single
  * interval is stored. */
-static Interval vec_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
+static Interval vec_range(const Ranges *r, const Ir *ir, Ref ref, int component)
 {
     Interval all = range_of(r, ir, ir_arg(ir, ref, 0), 0);
     for (int i = 0, first = 0; i < ir_at(ir, ref)->count; i++) {
         const Ref part = ir_arg(ir, ref, i);
-        const int lanes = ir_lanes(ir, part);
-        if (r->lanes == 1)
+        const int components = ir_components(ir, part);
+        if (r->components == 1)
             all = hull(all, range_of(r, ir, part, 0));
-        else if (lane >= first && lane < first + lanes)
-            return range_of(r, ir, part, lane - first);
-        first += lanes;
+        else if (component >= first && component < first + components)
+            return range_of(r, ir, part, component - first);
+        first += components;
     }
     return all;
 }
 
-static Interval const_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
+static Interval const_range(const Ranges *r, const Ir *ir, Ref ref, int component)
 {
     if (ir_type(ir, ref) == TYPE_sampler)
         return everything;
     const double *at = ir_numbers(ir, ref);
-    Interval range = between(at[lane], at[lane]);
-    for (int i = 1; r->lanes == 1 && i < ir_lanes(ir, ref); i++)
+    Interval range = between(at[component], at[component]);
+    for (int i = 1; r->components == 1 && i < ir_components(ir, ref); i++)
         range = hull(range, between(at[i], at[i]));
     return range;
 }
 
-static Interval swizzle_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
+static Interval swizzle_range(const Ranges *r, const Ir *ir, Ref ref, int component)
 {
-    return range_of(r, ir, ir_arg(ir, ref, 0), (int)(ir_at(ir, ref)->payload >> 2 * lane & 3));
+    return range_of(r, ir, ir_arg(ir, ref, 0), (int)(ir_at(ir, ref)->payload >> 2 * component & 3));
 }
 
-static Interval apply_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
+static Interval apply_range(const Ranges *r, const Ir *ir, Ref ref, int component)
 {
-    return range_of(r, ir, ir->functions[ir_at(ir, ref)->payload].result, lane);
+    return range_of(r, ir, ir->functions[ir_at(ir, ref)->payload].result, component);
 }
 
-static Interval kernel_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
+static Interval kernel_range(const Ranges *r, const Ir *ir, Ref ref, int component)
 {
-    return times(apply_range(r, ir, ref, lane), between(KERNEL_POINTS, KERNEL_POINTS));
+    return times(apply_range(r, ir, ref, component), between(KERNEL_POINTS, KERNEL_POINTS));
 }
 
 /* Interval of an operand; unbounded if the operand is missing. */
 static inline Interval operand_range(const Ranges *r, const Ir *ir, const IrNode *node, int i,
-                                     int lane)
+                                     int component)
 {
-    return i < node->count ? range_of(r, ir, ir->args[node->first + (uint32_t)i], lane)
+    return i < node->count ? range_of(r, ir, ir->args[node->first + (uint32_t)i], component)
                            : everything;
 }
 
 /* Interval of an operation that works per component, by the RANGE lines of ops.def. */
-static Interval lane_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
+static Interval component_range(const Ranges *r, const Ir *ir, Ref ref, int component)
 {
     const IrNode *node = ir_at(ir, ref);
     const bool squared = node->count == 2 && ir_arg(ir, ref, 0) == ir_arg(ir, ref, 1);
-    const Interval a = operand_range(r, ir, node, 0, lane), b = operand_range(r, ir, node, 1, lane),
-                   c = operand_range(r, ir, node, 2, lane);
+    const Interval a = operand_range(r, ir, node, 0, component),
+                   b = operand_range(r, ir, node, 1, component),
+                   c = operand_range(r, ir, node, 2, component);
     switch (node->op) {
 #define RANGE(name, interval)                                                                      \
     case OP_##name:                                                                                \
@@ -377,15 +383,15 @@ static Interval lane_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
     }
 }
 
-Interval range_computed(const Ranges *r, const Ir *ir, Ref ref, int lane)
+Interval range_computed(const Ranges *r, const Ir *ir, Ref ref, int component)
 {
     switch (ir_at(ir, ref)->op) {
 #define RANGE_NODE(name, function)                                                                 \
     case OP_##name:                                                                                \
-        return function(r, ir, ref, lane);
+        return function(r, ir, ref, component);
 #include "grammar/ops.def"
     default:
-        return lane_range(r, ir, ref, lane);
+        return component_range(r, ir, ref, component);
     }
 }
 

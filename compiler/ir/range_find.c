@@ -33,22 +33,22 @@ static uint64_t *mark_compared(const Ir *ir, Arena *arena, Ref count, const uint
 }
 
 /* Number of stored intervals; a sampler, without components, gets one unbounded interval. */
-static int kept_lanes(const Ranges *r, const Ir *ir, Ref ref)
+static int kept_components(const Ranges *r, const Ir *ir, Ref ref)
 {
-    const int lanes = ir_lanes(ir, ref);
-    return r->lanes == 1 || lanes == 0 ? 1 : lanes;
+    const int components = ir_components(ir, ref);
+    return r->components == 1 || components == 0 ? 1 : components;
 }
 
 static void compute(Ranges *r, const Ir *ir, Arena *arena, Ref ref)
 {
-    const int lanes = kept_lanes(r, ir, ref);
-    const RangePlace place = {(uint32_t)r->used, lanes > 1};
+    const int components = kept_components(r, ir, ref);
+    const RangePlace place = {(uint32_t)r->used, components > 1};
     const bool at_once = r->marks && ir_is(ir, ref, OP_select);
     Interval found[4];
     if (at_once)
-        range_select(r, ir, ref, lanes, found);
-    for (int lane = 0; lane < lanes; lane++) {
-        const Interval range = at_once ? found[lane] : range_computed(r, ir, ref, lane);
+        range_select(r, ir, ref, components, found);
+    for (int component = 0; component < components; component++) {
+        const Interval range = at_once ? found[component] : range_computed(r, ir, ref, component);
         const bool none = isnan(range.low) || isnan(range.high);
         ARENA_PUSH(arena, r->of, r->used, r->room, none ? everything : range);
     }
@@ -61,7 +61,7 @@ static void find(Ranges *r, const Ir *ir, Arena *arena, Ref count, const uint8_t
     r->count = count;
     r->place = arena_reach(arena, r->place, count, &r->place_room, sizeof *r->place);
     /* guards need one interval per component */
-    r->marks = r->lanes > 1 ? mark_compared(ir, arena, count, live) : NULL;
+    r->marks = r->components > 1 ? mark_compared(ir, arena, count, live) : NULL;
     if (r->marks && !r->seen)
         r->seen = range_seen_new(arena);
     if (!r->used)
@@ -71,9 +71,9 @@ static void find(Ranges *r, const Ir *ir, Arena *arena, Ref count, const uint8_t
             compute(r, ir, arena, ref);
 }
 
-Ranges range_find(const Ir *ir, Arena *arena, int lanes)
+Ranges range_find(const Ir *ir, Arena *arena, int components)
 {
-    Ranges r = {.lanes = lanes};
+    Ranges r = {.components = components};
     find(&r, ir, arena, (Ref)ir->count, NULL);
     return r;
 }
@@ -83,7 +83,7 @@ void range_find_live(Ranges *r, const Ir *ir, Arena *arena, const uint8_t *live)
     find(r, ir, arena, (Ref)ir->count, live);
 }
 
-Ranges range_find_below(const Ir *ir, Arena *arena, int lanes, const Ref *roots, int count)
+Ranges range_find_below(const Ir *ir, Arena *arena, int components, const Ref *roots, int count)
 {
     Ref last = 0;
     for (int i = 0; i < count; i++)
@@ -92,7 +92,7 @@ Ranges range_find_below(const Ir *ir, Arena *arena, int lanes, const Ref *roots,
     for (int i = 0; i < count; i++)
         live[roots[i]] = 1;
     ir_live_below(ir, live, last);
-    Ranges r = {.lanes = lanes};
+    Ranges r = {.components = components};
     find(&r, ir, arena, last + 1, live);
     return r;
 }

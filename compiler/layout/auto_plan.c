@@ -9,7 +9,7 @@ static const double SAME = 1e-9;
 typedef struct {
     const Plan *plan;
     bool gray;
-    int lanes;
+    int components;
 } Wish;
 
 static double displayed(double value) { return sqrt(fmin(fmax(value, 0), 1)); }
@@ -36,9 +36,9 @@ static double class_error(const Plan *plan, const FieldRow *field)
 static FieldRow make_field(const Wish *wish, Encoding encoding)
 {
     FieldRow field = {
-        .encoding = encoding, .count = wish->gray ? 1 : wish->lanes, .gray = wish->gray};
-    for (int lane = 0; lane < field.count; lane++)
-        field.source[lane] = (SlotLane){wish->plan->slot, lane};
+        .encoding = encoding, .count = wish->gray ? 1 : wish->components, .gray = wish->gray};
+    for (int component = 0; component < field.count; component++)
+        field.source[component] = (SlotComponent){wish->plan->slot, component};
     return field;
 }
 
@@ -93,7 +93,7 @@ static FieldRow best_field(const Wish *wish)
         try_range(wish, ENCODING_root, 0, &best);
         break;
     case CLASS_UNIT_relative:
-        if (wish->lanes == 3)
+        if (wish->components == 3)
             try_encoding(wish, ENCODING_sharedExponent, 0, 0, &best);
         else
             try_encoding(wish, ENCODING_logarithm, 0, 0, &best);
@@ -108,10 +108,10 @@ static FieldRow best_field(const Wish *wish)
 }
 
 /* True if each component is the same number in all materials. */
-static bool is_constant(const MatcSlotRange *range, int lanes)
+static bool is_constant(const MatcSlotRange *range, int components)
 {
-    for (int lane = 0; lane < lanes; lane++)
-        if (range->low[lane] != range->high[lane])
+    for (int component = 0; component < components; component++)
+        if (range->low[component] != range->high[component])
             return false;
     return true;
 }
@@ -120,9 +120,10 @@ static bool is_constant(const MatcSlotRange *range, int lanes)
  * is possible. */
 static MatcSlotRange with_drawn(Slot slot, MatcSlotRange range)
 {
-    for (int lane = 0; lane < FIELD_LANES && range.counted && range.drawn; lane++) {
-        range.low[lane] = slot_table[slot].low;
-        range.high[lane] = slot_table[slot].high;
+    for (int component = 0; component < FIELD_COMPONENTS && range.counted && range.drawn;
+         component++) {
+        range.low[component] = slot_table[slot].low;
+        range.high[component] = slot_table[slot].high;
     }
     return range;
 }
@@ -131,11 +132,11 @@ Plan auto_plan_slot(Slot slot, const MatcSlotRange *of, double scale)
 {
     const MatcSlotRange own = with_drawn(slot, *of), *range = &own;
     const SlotClassRow *row = &slot_class_table[slot];
-    const int lanes = type_table[slot_table[slot].type].lanes;
+    const int components = type_table[slot_table[slot].type].components;
     Plan plan = {.slot = slot, .low = INFINITY, .high = -INFINITY};
-    for (int lane = 0; lane < lanes; lane++) {
-        plan.low = fmin(plan.low, range->low[lane]);
-        plan.high = fmax(plan.high, range->high[lane]);
+    for (int component = 0; component < components; component++) {
+        plan.low = fmin(plan.low, range->low[component]);
+        plan.high = fmax(plan.high, range->high[component]);
     }
     plan.kind = plan.high > 1 + 1e-4 ? row->above : row->kind;
     plan.error = class_table[plan.kind].error * scale;
@@ -143,17 +144,17 @@ Plan auto_plan_slot(Slot slot, const MatcSlotRange *of, double scale)
         plan.fate = row->kind == CLASS_none ? FATE_taken : FATE_unneeded;
         return plan;
     }
-    if (is_constant(range, lanes)) {
+    if (is_constant(range, components)) {
         plan.fate = range->absent == range->counted ? FATE_absent : FATE_fixed;
         return plan;
     }
     if (row->kind == CLASS_color && plan.kind == CLASS_color)
         plan.high = fmin(plan.high, 1);
     plan.fate = FATE_field;
-    const bool gray = lanes > 1 && range->alike == range->counted &&
+    const bool gray = components > 1 && range->alike == range->counted &&
                       class_table[plan.kind].unit != CLASS_UNIT_degrees;
     /* directions always use a direction encoding, whatever the ranges of their components */
-    plan.field = best_field(&(Wish){&plan, gray, lanes});
+    plan.field = best_field(&(Wish){&plan, gray, components});
     plan.error = class_error(&plan, &plan.field);
     return plan;
 }

@@ -14,9 +14,9 @@ void matc_ranges_init(MatcRanges *ranges)
     /* clears padding too, so that equal ranges are equal bytes */
     memset(ranges, 0, sizeof *ranges);
     for (int slot = 0; slot < SLOT_COUNT; slot++)
-        for (int lane = 0; lane < FIELD_LANES; lane++) {
-            ranges->slot[slot].low[lane] = INFINITY;
-            ranges->slot[slot].high[lane] = -INFINITY;
+        for (int component = 0; component < FIELD_COMPONENTS; component++) {
+            ranges->slot[slot].low[component] = INFINITY;
+            ranges->slot[slot].high[component] = -INFINITY;
         }
 }
 
@@ -32,9 +32,9 @@ void matc_ranges_join(MatcRanges *ranges, const MatcRanges *other)
         to->absent += from->absent;
         to->alike += from->alike;
         to->drawn += from->drawn;
-        for (int lane = 0; lane < FIELD_LANES; lane++) {
-            to->low[lane] = fmin(to->low[lane], from->low[lane]);
-            to->high[lane] = fmax(to->high[lane], from->high[lane]);
+        for (int component = 0; component < FIELD_COMPONENTS; component++) {
+            to->low[component] = fmin(to->low[component], from->low[component]);
+            to->high[component] = fmax(to->high[component], from->high[component]);
         }
     }
     auto_sets_join(ranges, other);
@@ -46,7 +46,7 @@ static bool same_numbers(const Ir *ir, Ref ref, const uint8_t *same)
 {
     const double *numbers = ir_numbers(ir, ref);
     (void)same;
-    for (int i = 1; i < ir_lanes(ir, ref); i++)
+    for (int i = 1; i < ir_components(ir, ref); i++)
         if (numbers[i] != numbers[0])
             return false;
     return true;
@@ -54,9 +54,9 @@ static bool same_numbers(const Ir *ir, Ref ref, const uint8_t *same)
 
 static bool same_swizzle(const Ir *ir, Ref ref, const uint8_t *same)
 {
-    const uint32_t lanes = ir_at(ir, ref)->payload;
-    for (int i = 1; i < ir_lanes(ir, ref); i++)
-        if ((lanes >> 2 * i & 3) != (lanes & 3) && !same[ir_arg(ir, ref, 0)])
+    const uint32_t components = ir_at(ir, ref)->payload;
+    for (int i = 1; i < ir_components(ir, ref); i++)
+        if ((components >> 2 * i & 3) != (components & 3) && !same[ir_arg(ir, ref, 0)])
             return false;
     return true;
 }
@@ -82,10 +82,10 @@ static bool same_operands(const Ir *ir, Ref ref, const uint8_t *same)
     return true;
 }
 
-static bool same_lanes(const Ir *ir, Ref ref, const uint8_t *same)
+static bool same_components(const Ir *ir, Ref ref, const uint8_t *same)
 {
     const Op op = (Op)ir_at(ir, ref)->op;
-    if (ir_lanes(ir, ref) == 1)
+    if (ir_components(ir, ref) == 1)
         return true;
     switch (op) {
 #define SAME(name, function)                                                                       \
@@ -101,7 +101,7 @@ static uint8_t *find_same(const Ir *ir, Arena *arena)
 {
     uint8_t *same = ARENA_ARRAY(arena, uint8_t, ir->count);
     for (Ref ref = 1; ref < ir->count; ref++)
-        same[ref] = same_lanes(ir, ref, same);
+        same[ref] = same_components(ir, ref, same);
     return same;
 }
 
@@ -119,21 +119,21 @@ static void read_slot(const Ir *ir, const Ranges *ranges, const uint8_t *same,
     range->counted = 1;
     range->absent = ir_is_number(ir, value, row->absent);
     range->alike = same[value];
-    for (int lane = 0; lane < type_table[row->type].lanes; lane++) {
-        Interval found = range_of(ranges, ir, value, lane);
+    for (int component = 0; component < type_table[row->type].components; component++) {
+        Interval found = range_of(ranges, ir, value, component);
         /* Normals are stored in view space, where any direction can occur. */
         if (slot_mixing((Slot)output->index) == MIXING_DIRECTION)
             found = (Interval){row->low, row->high};
-        range->low[lane] = fmin(fmax(found.low, row->low), row->high);
-        range->high[lane] = fmax(fmin(found.high, row->high), row->low);
+        range->low[component] = fmin(fmax(found.low, row->low), row->high);
+        range->high[component] = fmax(fmin(found.high, row->high), row->low);
     }
 }
 
 /* True if the slot can be greater than 0. */
 static bool is_there(const MatcSlotRange *range)
 {
-    for (int lane = 0; lane < FIELD_LANES; lane++)
-        if (range->counted && range->high[lane] > 0)
+    for (int component = 0; component < FIELD_COMPONENTS; component++)
+        if (range->counted && range->high[component] > 0)
             return true;
     return false;
 }
@@ -153,7 +153,7 @@ static void drop_unneeded(MatcRanges *one)
 
 void auto_ranges(const Ir *ir, MatcRanges *one)
 {
-    const Ranges ranges = range_find(ir, ir->arena, FIELD_LANES);
+    const Ranges ranges = range_find(ir, ir->arena, FIELD_COMPONENTS);
     const uint8_t *same = find_same(ir, ir->arena);
     one->materials = 1;
     for (int i = 0; i < ir->output_count; i++)

@@ -5,7 +5,7 @@
 
 /* Used bits of each component of the targets. Fields are only appended. */
 typedef struct {
-    int taken[LAYOUT_TARGETS][FIELD_LANES];
+    int taken[LAYOUT_TARGETS][FIELD_COMPONENTS];
     bool marked; /* the highest bit of the last word is used, too */
 } Room;
 
@@ -21,7 +21,7 @@ int layout_bytes(const LayoutRow *row)
 {
     int bits = 0;
     for (int i = 0; i < layout_targets(row); i++)
-        bits += format_table[row->formats[i]].lanes * format_table[row->formats[i]].bits;
+        bits += format_table[row->formats[i]].components * format_table[row->formats[i]].bits;
     return bits / 8;
 }
 
@@ -133,19 +133,19 @@ static unsigned further_code(const LayoutRow *row, int further, int *bits)
     return (unsigned)(more ? ESCAPE | (further - numbers.few) << SHORT_BITS : further);
 }
 
-static bool is_last_word(const LayoutRow *row, int target, int lane)
+static bool is_last_word(const LayoutRow *row, int target, int component)
 {
     return target + 1 == layout_targets(row) &&
-           lane + 1 == format_table[row->formats[target]].lanes;
+           component + 1 == format_table[row->formats[target]].components;
 }
 
-double layout_case_code(const LayoutRow *row, int number, int target, int lane)
+double layout_case_code(const LayoutRow *row, int number, int target, int component)
 {
     const int further = number - plain_count(row);
-    const bool marked = further >= 0 && is_last_word(row, target, lane);
+    const bool marked = further >= 0 && is_last_word(row, target, component);
     const double mark = marked ? ldexp(1, format_table[row->formats[target]].bits - 1) : 0;
     int bits;
-    if (target || lane)
+    if (target || component)
         return mark;
     return mark +
            (further < 0 ? number : ldexp(further_code(row, further, &bits), layout_case_bits(row)));
@@ -168,11 +168,11 @@ int layout_case_of(const LayoutRow *row, uint32_t first, uint32_t last)
 
 bool piece_is_slot(const Piece *piece)
 {
-    const SlotLane *source = &piece->field->source[piece->first];
+    const SlotComponent *source = &piece->field->source[piece->first];
     for (int i = 0; i < piece->count; i++)
-        if (source[i].slot != source[0].slot || source[i].lane != i)
+        if (source[i].slot != source[0].slot || source[i].component != i)
             return false;
-    return piece->count == type_table[slot_table[source[0].slot].type].lanes;
+    return piece->count == type_table[slot_table[source[0].slot].type].components;
 }
 
 bool piece_takes_bits(const Piece *piece)
@@ -183,10 +183,11 @@ bool piece_takes_bits(const Piece *piece)
 }
 
 /* True if the adjacent components are free. */
-static bool fits_lanes(const Room *room, const FormatRow *format, const Piece *piece)
+static bool fits_components(const Room *room, const FormatRow *format, const Piece *piece)
 {
     for (int i = 0; i < piece->size; i++)
-        if (piece->lane + i >= format->lanes || room->taken[piece->target][piece->lane + i])
+        if (piece->component + i >= format->components ||
+            room->taken[piece->target][piece->component + i])
             return false;
     return true;
 }
@@ -196,20 +197,20 @@ static bool fits(const Room *room, const LayoutRow *row, const Piece *piece)
     const FormatRow *format = &format_table[row->formats[piece->target]];
     if (format->words != encoding_table[piece->field->encoding].words)
         return false;
-    const int mark = room->marked && is_last_word(row, piece->target, piece->lane);
+    const int mark = room->marked && is_last_word(row, piece->target, piece->component);
     return format->words
-               ? room->taken[piece->target][piece->lane] + piece->size <= format->bits - mark
-               : fits_lanes(room, format, piece);
+               ? room->taken[piece->target][piece->component] + piece->size <= format->bits - mark
+               : fits_components(room, format, piece);
 }
 
 static bool find_room(Room *room, const LayoutRow *row, Piece *piece)
 {
     for (piece->target = 0; piece->target < layout_targets(row); piece->target++) {
         const FormatRow *format = &format_table[row->formats[piece->target]];
-        for (piece->lane = 0; piece->lane < format->lanes; piece->lane++) {
+        for (piece->component = 0; piece->component < format->components; piece->component++) {
             if (!fits(room, row, piece))
                 continue;
-            int *taken = &room->taken[piece->target][piece->lane];
+            int *taken = &room->taken[piece->target][piece->component];
             piece->shift = format->words ? *taken : 0;
             *taken += format->words ? piece->size : 0;
             for (int i = 0; !format->words && i < piece->size; i++)
@@ -224,8 +225,8 @@ static bool find_room(Room *room, const LayoutRow *row, Piece *piece)
 static bool is_sound(const FieldRow *field)
 {
     const EncodingRow *encoding = &encoding_table[field->encoding];
-    return field->count >= 1 && field->count <= FIELD_LANES && field->bits >= encoding->least &&
-           field->bits <= encoding->most &&
+    return field->count >= 1 && field->count <= FIELD_COMPONENTS &&
+           field->bits >= encoding->least && field->bits <= encoding->most &&
            (!encoding->takes || field->count % encoding->takes == 0);
 }
 

@@ -9,9 +9,9 @@ enum { MOST_PIECES = 128 };
 
 typedef struct {
     const FieldRow *field;
-    int first, count; /* range of components among the field's sources */
-    int target, lane; /* render target, and component of the target */
-    int size;         /* number of components; in a word target number of bits */
+    int first, count;      /* range of components among the field's sources */
+    int target, component; /* render target, and component of the target */
+    int size;              /* number of components; in a word target number of bits */
     int shift;
 } Piece;
 
@@ -36,7 +36,7 @@ typedef struct {
 } Further;
 Further layout_further(const LayoutRow *row);
 /* Returns a case's bits in a word: its number, and the highest bit of the last word. */
-double layout_case_code(const LayoutRow *row, int number, int target, int lane);
+double layout_case_code(const LayoutRow *row, int number, int target, int component);
 /* Decodes the case from the first target's first word and the last target's last word. */
 int layout_case_of(const LayoutRow *row, uint32_t first, uint32_t last);
 int layout_targets(const LayoutRow *row);

@@ -15,12 +15,12 @@ static const char *number_text(Checker *k, double value)
 }
 
 /* Formats "shininess", or "diffuse.g" for a slot with several components. */
-static const char *lane_text(Checker *k, SlotLane at)
+static const char *component_text(Checker *k, SlotComponent at)
 {
     Text text = text_new(k->session->arena);
     text_put(&text, slot_table[at.slot].name);
-    if (type_table[slot_table[at.slot].type].lanes > 1)
-        text_format(&text, ".%c", "rgba"[at.lane]);
+    if (type_table[slot_table[at.slot].type].components > 1)
+        text_format(&text, ".%c", "rgba"[at.component]);
     return text.at;
 }
 
@@ -43,8 +43,8 @@ static void check_meaning(Checker *k, const FieldRow *field, Span span)
     bool fine = true;
     for (int i = 0; i < field->count && fine; i++) {
         const SlotRow *slot = &slot_table[field->source[i].slot];
-        if (directions &&
-            (slot_mixing(field->source[i].slot) != MIXING_DIRECTION || field->source[i].lane != i))
+        if (directions && (slot_mixing(field->source[i].slot) != MIXING_DIRECTION ||
+                           field->source[i].component != i))
             fine = diag_add(k->session, span, DIAG_field_normal, encoding->name);
         else if (!directions && slot->low < 0 && field_low(field) >= 0)
             fine = diag_add(k->session, span, DIAG_field_sign, encoding->name,
@@ -56,27 +56,30 @@ static void check_meaning(Checker *k, const FieldRow *field, Span span)
 
 /* Checks that every component is stored at most once, and no component of a stored slot is
  * missing. */
-static void check_lanes(Checker *k, const CaseRow *row, Tree *const *trees)
+static void check_components(Checker *k, const CaseRow *row, Tree *const *trees)
 {
-    int last[SLOT_COUNT][FIELD_LANES] = {{0}}; /* number of the field that stores it, from 1 */
+    int last[SLOT_COUNT][FIELD_COMPONENTS] = {{0}}; /* number of the field that stores it, from 1 */
     for (int i = 0; i < row->field_count; i++)
-        for (int lane = 0; lane < row->fields[i].count; lane++) {
-            const SlotLane at = row->fields[i].source[lane];
-            const int lanes = row->fields[i].gray ? type_table[slot_table[at.slot].type].lanes : 1;
-            if (last[at.slot][at.lane])
-                k->fine = diag_add(k->session, trees[i]->span, DIAG_slot_twice, lane_text(k, at));
-            for (int n = 0; n < lanes; n++)
-                last[at.slot][at.lane + n] = i + 1;
+        for (int component = 0; component < row->fields[i].count; component++) {
+            const SlotComponent at = row->fields[i].source[component];
+            const int components =
+                row->fields[i].gray ? type_table[slot_table[at.slot].type].components : 1;
+            if (last[at.slot][at.component])
+                k->fine =
+                    diag_add(k->session, trees[i]->span, DIAG_slot_twice, component_text(k, at));
+            for (int n = 0; n < components; n++)
+                last[at.slot][at.component + n] = i + 1;
         }
     for (int slot = 0; slot < SLOT_COUNT; slot++) {
         int stored = 0;
-        for (int lane = 0; lane < FIELD_LANES; lane++)
-            stored = last[slot][lane] ? last[slot][lane] : stored;
-        for (int lane = 0; stored && lane < type_table[slot_table[slot].type].lanes; lane++)
-            if (!last[slot][lane])
-                k->fine =
-                    diag_add(k->session, trees[stored - 1]->span, DIAG_slot_in_part,
-                             lane_text(k, (SlotLane){(Slot)slot, lane}), slot_table[slot].name);
+        for (int component = 0; component < FIELD_COMPONENTS; component++)
+            stored = last[slot][component] ? last[slot][component] : stored;
+        for (int component = 0; stored && component < type_table[slot_table[slot].type].components;
+             component++)
+            if (!last[slot][component])
+                k->fine = diag_add(k->session, trees[stored - 1]->span, DIAG_slot_in_part,
+                                   component_text(k, (SlotComponent){(Slot)slot, component}),
+                                   slot_table[slot].name);
     }
 }
 
@@ -89,12 +92,13 @@ static const char *left_text(Checker *k, const Placement *placement, bool words)
     for (int target = 0; target < layout_targets(k->row); target++) {
         const FormatRow *format = &format_table[k->row->formats[target]];
         any |= format->words == words;
-        for (int lane = 0; lane < format->lanes && format->words == words; lane++) {
-            int left = format->bits - (target || lane ? 0 : layout_case_bits(k->row));
+        for (int component = 0; component < format->components && format->words == words;
+             component++) {
+            int left = format->bits - (target || component ? 0 : layout_case_bits(k->row));
             for (int i = 0; i < placement->count; i++) {
                 const Piece *piece = &placement->pieces[i];
-                if (piece->target == target && lane >= piece->lane &&
-                    lane < piece->lane + (words ? 1 : piece->size))
+                if (piece->target == target && component >= piece->component &&
+                    component < piece->component + (words ? 1 : piece->size))
                     left = words ? left - piece->size : 0;
             }
             if (!left)
@@ -102,7 +106,7 @@ static const char *left_text(Checker *k, const Placement *placement, bool words)
             text_put(&text, text.size ? ", " : "left are ");
             if (words)
                 text_format(&text, "%d bits of ", left);
-            text_format(&text, "%d.%c", target, "rgba"[lane]);
+            text_format(&text, "%d.%c", target, "rgba"[component]);
         }
     }
     return text.size ? text.at
@@ -142,7 +146,7 @@ bool layout_check(Session *session, const LayoutRow *row, const Tree *file,
             check_groups(&k, &row->cases[number].fields[i], trees[number][i]->span);
             check_meaning(&k, &row->cases[number].fields[i], trees[number][i]->span);
         }
-        check_lanes(&k, &row->cases[number], trees[number]);
+        check_components(&k, &row->cases[number], trees[number]);
     }
     check_cases(&k, file);
     for (int number = 0; number < row->case_count && k.fine; number++)

@@ -130,7 +130,7 @@ static int row_of(Reader *r, const Tree *tree, const char *what, const NameList 
 }
 
 /* Adds the components of "diffuse" or "diffuse.rg" to the field. */
-static void read_lanes(Reader *r, const Tree *tree, FieldRow *field)
+static void read_components(Reader *r, const Tree *tree, FieldRow *field)
 {
     if (tree->kind != TREE_scalar) {
         wrong_type(r, tree, "slot", "a slot, such as diffuse or diffuse.rg");
@@ -142,21 +142,21 @@ static void read_lanes(Reader *r, const Tree *tree, FieldRow *field)
     int slot = row_of(r, &name, "slot", &slot_names);
     if (slot < 0)
         return;
-    const int lanes = type_table[slot_table[slot].type].lanes;
-    const char *all = arena_string(r->session->arena, "rgba", (size_t)lanes);
+    const int components = type_table[slot_table[slot].type].components;
+    const char *all = arena_string(r->session->arena, "rgba", (size_t)components);
     const char *letters = tree->text[size] ? tree->text + size + 1 : all;
     if (!*letters)
         letters = "?";
     for (; *letters; letters++) {
         const char *rgba = strchr(all, *letters), *at = strchr("xyzw", *letters);
-        int lane = rgba ? (int)(rgba - all) : at ? (int)(at - "xyzw") : FIELD_LANES;
-        if (lane >= lanes || field->count == FIELD_LANES) {
+        int component = rgba ? (int)(rgba - all) : at ? (int)(at - "xyzw") : FIELD_COMPONENTS;
+        if (component >= components || field->count == FIELD_COMPONENTS) {
             diag_add(r->session, tree->span, DIAG_layout_lanes, tree->text, slot_table[slot].name,
                      all);
             fail(r);
             return;
         }
-        field->source[field->count++] = (SlotLane){(Slot)slot, lane};
+        field->source[field->count++] = (SlotComponent){(Slot)slot, component};
     }
 }
 
@@ -165,9 +165,9 @@ static void read_slots(Reader *r, const Tree *object, FieldRow *field)
     const Tree *tree = member(r, object, "a field", "slot", true);
     if (tree && tree->kind == TREE_list)
         for (uint32_t i = 0; i < tree->count; i++)
-            read_lanes(r, tree->items[i], field);
+            read_components(r, tree->items[i], field);
     else if (tree)
-        read_lanes(r, tree, field);
+        read_components(r, tree, field);
     if (tree && tree->kind == TREE_list && !tree->count)
         wrong_type(r, tree, "slot", "a slot or a list of them");
 }
@@ -220,9 +220,9 @@ static void read_gray(Reader *r, const Tree *object, FieldRow *field)
         return;
     }
     bool whole = field->count > 1 &&
-                 field->count == type_table[slot_table[field->source[0].slot].type].lanes;
+                 field->count == type_table[slot_table[field->source[0].slot].type].components;
     for (int i = 0; i < field->count; i++)
-        whole &= field->source[i].slot == field->source[0].slot && field->source[i].lane == i;
+        whole &= field->source[i].slot == field->source[0].slot && field->source[i].component == i;
     if (yes && (!whole || encoding_table[field->encoding].takes > 1)) {
         diag_add(r->session, tree->span, DIAG_field_gray);
         fail(r);
@@ -280,15 +280,15 @@ static void read_further(Reader *r, const Tree *object)
 /* Reads a number for all components, or one per component. */
 static void read_constant(Reader *r, const Member *from, FixedRow *fixed)
 {
-    const int lanes = type_table[slot_table[fixed->slot].type].lanes;
+    const int components = type_table[slot_table[fixed->slot].type].components;
     const Tree *value = from->value;
-    bool fine =
-        value->kind == TREE_list ? value->count == (uint32_t)lanes : value->kind == TREE_scalar;
-    for (int lane = 0; lane < lanes && fine; lane++)
-        fine =
-            tree_number(value->kind == TREE_list ? value->items[lane] : value, &fixed->value[lane]);
+    bool fine = value->kind == TREE_list ? value->count == (uint32_t)components
+                                         : value->kind == TREE_scalar;
+    for (int component = 0; component < components && fine; component++)
+        fine = tree_number(value->kind == TREE_list ? value->items[component] : value,
+                           &fixed->value[component]);
     if (!fine)
-        wrong_type(r, value, from->key, lanes == 1 ? "a number" : "a number or three");
+        wrong_type(r, value, from->key, components == 1 ? "a number" : "a number or three");
 }
 
 /* The cases whose constants are read. */

@@ -5,7 +5,7 @@
 /* Writes "diffuse", "diffuse.rg" or "[emissive.b, ambient.r]". */
 static void put_slots(Text *out, const FieldRow *field)
 {
-    const SlotLane *source = field->source;
+    const SlotComponent *source = field->source;
     const Piece whole = {.field = field, .count = field->count};
     if (field->gray || piece_is_slot(&whole)) {
         text_put(out, slot_table[source[0].slot].name);
@@ -18,7 +18,7 @@ static void put_slots(Text *out, const FieldRow *field)
     for (int i = 0; i < field->count; i++) {
         if (!i || source[i].slot != source[i - 1].slot)
             text_format(out, "%s%s.", i ? ", " : "", slot_table[source[i].slot].name);
-        text_char(out, "rgba"[source[i].lane]);
+        text_char(out, "rgba"[source[i].component]);
     }
     text_put(out, list ? "]" : "");
 }
@@ -53,14 +53,14 @@ static void put_constants(Text *out, const FixedRow *rows, int count, const char
     if (count)
         text_format(out, "%sconstants:\n", indent);
     for (int i = 0; i < count; i++) {
-        const int lanes = type_table[slot_table[rows[i].slot].type].lanes;
-        text_format(out, lanes > 1 ? "%s  %s: [" : "%s  %s: ", indent,
+        const int components = type_table[slot_table[rows[i].slot].type].components;
+        text_format(out, components > 1 ? "%s  %s: [" : "%s  %s: ", indent,
                     slot_table[rows[i].slot].name);
-        for (int lane = 0; lane < lanes; lane++) {
-            text_put(out, lane ? ", " : "");
-            text_double(out, rows[i].value[lane]);
+        for (int component = 0; component < components; component++) {
+            text_put(out, component ? ", " : "");
+            text_double(out, rows[i].value[component]);
         }
-        text_put(out, lanes > 1 ? "]\n" : "\n");
+        text_put(out, components > 1 ? "]\n" : "\n");
     }
 }
 

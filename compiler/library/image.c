@@ -5,7 +5,7 @@
 #include <stddef.h>
 #include <string.h>
 
-enum { LANES = 4 };
+enum { COMPONENTS = 4 };
 
 static const ReferenceTexture *texture_of(const void *context, double index)
 {
@@ -56,25 +56,26 @@ static double in_texels(const ReferenceTexture *texture, double coordinate, int 
     return turn > 0 ? fraction(coordinate / turn) * turn * size : coordinate * size;
 }
 
-/* A texel as OpenGL reads it: the lanes that a texture of one lane lacks are 0, 0, 1. */
-static void texel(const ReferenceTexture *texture, double column, double row, double result[LANES])
+/* A texel as OpenGL reads it: the components that a texture of one component lacks are 0, 0, 1. */
+static void texel(const ReferenceTexture *texture, double column, double row,
+                  double result[COMPONENTS])
 {
     const int x = index_of(texture->wrap, column, texture->width),
               y = index_of(texture->wrap, row, texture->height);
     const bool there = x != NOWHERE && y != NOWHERE;
     const size_t at = there ? (size_t)y * (size_t)texture->width + (size_t)x : 0;
-    for (int lane = 0; lane < LANES; lane++) {
-        size_t number = at * (size_t)texture->lanes + (size_t)lane;
+    for (int component = 0; component < COMPONENTS; component++) {
+        size_t number = at * (size_t)texture->components + (size_t)component;
         if (!there)
-            result[lane] = 0;
-        else if (lane >= texture->lanes)
-            result[lane] = lane == LANES - 1;
+            result[component] = 0;
+        else if (component >= texture->components)
+            result[component] = component == COMPONENTS - 1;
         else
-            result[lane] = texture->bytes   ? texture->bytes[number] / 255.
-                           : texture->words ? texture->words[number] / 65535.
-                                            : (double)texture->floats[number];
-        if (texture->srgb && lane < 3)
-            result[lane] = srgb_decode(result[lane]);
+            result[component] = texture->bytes   ? texture->bytes[number] / 255.
+                                : texture->words ? texture->words[number] / 65535.
+                                                 : (double)texture->floats[number];
+        if (texture->srgb && component < 3)
+            result[component] = srgb_decode(result[component]);
     }
 }
 
@@ -82,14 +83,15 @@ static double blend(double a, double b, double t) { return a * (1 - t) + b * t; 
 
 /* The texels from (column, row) on, mixed. The weights may be negative. */
 static void mixed(const ReferenceTexture *texture, const double at[2], const double weight[2],
-                  double result[LANES])
+                  double result[COMPONENTS])
 {
-    double corner[4][LANES];
+    double corner[4][COMPONENTS];
     for (int i = 0; i < 4; i++)
         texel(texture, at[0] + (i & 1), at[1] + (i >> 1), corner[i]);
-    for (int lane = 0; lane < LANES; lane++)
-        result[lane] = blend(blend(corner[0][lane], corner[1][lane], weight[0]),
-                             blend(corner[2][lane], corner[3][lane], weight[0]), weight[1]);
+    for (int component = 0; component < COMPONENTS; component++)
+        result[component] =
+            blend(blend(corner[0][component], corner[1][component], weight[0]),
+                  blend(corner[2][component], corner[3][component], weight[0]), weight[1]);
 }
 
 REFERENCE(imageNearest)
@@ -105,7 +107,7 @@ REFERENCE(imageNearest)
     texel(&texture, column, row, result);
 }
 
-static void bilinear(const ReferenceTexture *texture, const double uv[2], double result[LANES])
+static void bilinear(const ReferenceTexture *texture, const double uv[2], double result[COMPONENTS])
 {
     const double at[2] = {in_texels(texture, uv[0], texture->width),
                           in_texels(texture, uv[1], texture->height)};
@@ -146,24 +148,24 @@ REFERENCE(carpenterRelief)
                           (args[2] - trunc(args[2])) * texture->height};
     const double low[2] = {trunc(at[0]), trunc(at[1])};
     const double weight[2] = {at[0] - low[0], at[1] - low[1]};
-    double lanes[LANES];
-    mixed(texture, low, weight, lanes);
-    result[0] = lanes[0];
+    double components[COMPONENTS];
+    mixed(texture, low, weight, components);
+    result[0] = components[0];
 }
 
 /* How the mix of four texels changes with its weights, each moving by `rate`. */
 static void mixed_along(const ReferenceTexture *texture, const double at[2], const double weight[2],
-                        const double rate[2], double result[LANES])
+                        const double rate[2], double result[COMPONENTS])
 {
-    double corner[4][LANES];
+    double corner[4][COMPONENTS];
     for (int i = 0; i < 4; i++)
         texel(texture, at[0] + (i & 1), at[1] + (i >> 1), corner[i]);
-    for (int lane = 0; lane < LANES; lane++) {
-        double by_u =
-            blend(corner[1][lane] - corner[0][lane], corner[3][lane] - corner[2][lane], weight[1]);
-        double by_v =
-            blend(corner[2][lane] - corner[0][lane], corner[3][lane] - corner[1][lane], weight[0]);
-        result[lane] = by_u * rate[0] + by_v * rate[1];
+    for (int component = 0; component < COMPONENTS; component++) {
+        double by_u = blend(corner[1][component] - corner[0][component],
+                            corner[3][component] - corner[2][component], weight[1]);
+        double by_v = blend(corner[2][component] - corner[0][component],
+                            corner[3][component] - corner[1][component], weight[0]);
+        result[component] = by_u * rate[0] + by_v * rate[1];
     }
 }
 
@@ -185,26 +187,26 @@ REFERENCE(reliefAlong)
                           (args[2] - trunc(args[2])) * texture->height};
     const double low[2] = {trunc(at[0]), trunc(at[1])},
                  weight[2] = {at[0] - low[0], at[1] - low[1]};
-    double lanes[LANES];
+    double components[COMPONENTS];
     mixed_along(texture, low, weight,
-                (double[]){args[5] * texture->width, args[6] * texture->height}, lanes);
-    result[0] = lanes[0];
+                (double[]){args[5] * texture->width, args[6] * texture->height}, components);
+    result[0] = components[0];
 }
 
 /* The mean of samples over a footprint: the changes of u and v to the right, then upward. */
 static void footprint_mean(const ReferenceTexture *texture, const double uv[2],
-                           const double spread[4], double result[LANES])
+                           const double spread[4], double result[COMPONENTS])
 {
     enum { SIDE = 16 };
-    for (int lane = 0; lane < LANES; lane++)
-        result[lane] = 0;
+    for (int component = 0; component < COMPONENTS; component++)
+        result[component] = 0;
     for (int i = 0; i < SIDE * SIDE; i++) {
-        double a = (i % SIDE + .5) / SIDE - .5, b = (i / SIDE + .5) / SIDE - .5, sample[LANES];
+        double a = (i % SIDE + .5) / SIDE - .5, b = (i / SIDE + .5) / SIDE - .5, sample[COMPONENTS];
         const double at[2] = {uv[0] + a * spread[0] + b * spread[2],
                               uv[1] + a * spread[1] + b * spread[3]};
         bilinear(texture, at, sample);
-        for (int lane = 0; lane < LANES; lane++)
-            result[lane] += sample[lane] / (SIDE * SIDE);
+        for (int component = 0; component < COMPONENTS; component++)
+            result[component] += sample[component] / (SIDE * SIDE);
     }
 }
 
@@ -221,7 +223,7 @@ static double texels_across(const ReferenceTexture *texture, const double *chang
 
 /* Up to a texel a pixel the sampler magnifies: the value at the point. */
 static void shown(const ReferenceTexture *texture, const double uv[2], const double spread[4],
-                  double result[LANES])
+                  double result[COMPONENTS])
 {
     if (fmax(texels_across(texture, spread), texels_across(texture, spread + 2)) <= 1)
         bilinear(texture, uv, result);
@@ -231,12 +233,13 @@ static void shown(const ReferenceTexture *texture, const double uv[2], const dou
 
 REFERENCE(imageSampledOver) { shown(texture_of(context, args[0]), &args[1], &args[5], result); }
 
-/* By how much a lane is greater one texel further along u and along v, over a texel. */
-static void rise(const ReferenceTexture *texture, const double uv[2], double lane,
+/* By how much a component is greater one texel further along u and along v, over a texel. */
+static void rise(const ReferenceTexture *texture, const double uv[2], double component,
                  const double spread[4], double *result)
 {
-    const int one = whole_between(lane, 0, LANES - 1), size[] = {texture->width, texture->height};
-    double here[LANES], beyond[LANES];
+    const int one = whole_between(component, 0, COMPONENTS - 1),
+              size[] = {texture->width, texture->height};
+    double here[COMPONENTS], beyond[COMPONENTS];
     shown(texture, uv, spread, here);
     for (int axis = 0; axis < 2; axis++) {
         double there[] = {uv[0], uv[1]};

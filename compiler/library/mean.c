@@ -50,52 +50,53 @@ static double stripe_mean(double v, double edge)
     return (fabs(fraction(a) - .5) - fabs(fraction(b) - .5)) / edge;
 }
 
-static void stripes(const double *args, int lanes, double *result)
+static void stripes(const double *args, int components, double *result)
 {
-    for (int i = 0; i < lanes; i++)
-        result[i] = stripe_mean(args[i], args[lanes + i]);
+    for (int i = 0; i < components; i++)
+        result[i] = stripe_mean(args[i], args[components + i]);
 }
 
-static void rates(const double *args, int lanes, double *result)
+static void rates(const double *args, int components, double *result)
 {
-    for (int i = 0; i < lanes; i++) {
-        double v = args[i], edge = args[lanes + i];
+    for (int i = 0; i < components; i++) {
+        double v = args[i], edge = args[components + i];
         result[i] = edge <= POINT ? 0 : (stripe(v + edge / 2) - stripe(v - edge / 2)) / edge;
     }
 }
 
 REFERENCE(stripes2) { (void)context, stripes(args, 2, result); }
 REFERENCE(stripes3) { (void)context, stripes(args, 3, result); }
-static double stripes_along(const double *args, int lanes)
+static double stripes_along(const double *args, int components)
 {
     double sum = 0;
     for (int i = 0; i < 4; i++) {
         double product = 1;
-        for (int lane = 0; lane < lanes; lane++)
-            product *= stripe_mean(args[lane] + ((i + .5) / 4 - .5) * args[lanes + lane],
-                                   args[2 * lanes + lane]);
+        for (int component = 0; component < components; component++)
+            product *=
+                stripe_mean(args[component] + ((i + .5) / 4 - .5) * args[components + component],
+                            args[2 * components + component]);
         sum += product / 4;
     }
     return sum;
 }
 
 /* Derivative of the four boxes, one of whose factors changes. */
-static void stripes_along_rate(const double *args, int lanes, double *result)
+static void stripes_along_rate(const double *args, int components, double *result)
 {
-    for (int by = 0; by < lanes; by++)
+    for (int by = 0; by < components; by++)
         result[by] = 0;
     for (int i = 0; i < 4; i++) {
         double box[6], mean[3], rate[3];
-        for (int lane = 0; lane < lanes; lane++) {
-            box[lane] = args[lane] + ((i + .5) / 4 - .5) * args[lanes + lane];
-            box[lanes + lane] = args[2 * lanes + lane];
+        for (int component = 0; component < components; component++) {
+            box[component] = args[component] + ((i + .5) / 4 - .5) * args[components + component];
+            box[components + component] = args[2 * components + component];
         }
-        stripes(box, lanes, mean);
-        rates(box, lanes, rate);
-        for (int by = 0; by < lanes; by++) {
+        stripes(box, components, mean);
+        rates(box, components, rate);
+        for (int by = 0; by < components; by++) {
             double product = rate[by] / 4;
-            for (int lane = 0; lane < lanes; lane++)
-                product *= lane == by ? 1 : mean[lane];
+            for (int component = 0; component < components; component++)
+                product *= component == by ? 1 : mean[component];
             result[by] += product;
         }
     }
@@ -171,12 +172,12 @@ REFERENCE(scallopRate)
 }
 
 /* Arguments: root, then columns and offset, each as three numbers that are added. */
-static double affine(const double *args, int lane)
+static double affine(const double *args, int component)
 {
     double sum = 0;
     for (int column = 0; column < 4; column++)
         for (int part = 0; part < 3; part++)
-            sum += args[3 + 9 * column + 3 * part + lane] * (column < 3 ? args[column] : 1);
+            sum += args[3 + 9 * column + 3 * part + component] * (column < 3 ? args[column] : 1);
     return sum;
 }
 

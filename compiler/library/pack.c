@@ -10,7 +10,7 @@
 #define LOGARITHM_LEAST  ldexp(1, -4)
 #define LOGARITHM_SPAN   log2(HALF_MOST / LOGARITHM_LEAST)
 #define EXPONENT_BIAS    15
-#define SHARED_BITS      9    /* of a lane, at most */
+#define SHARED_BITS      9    /* of a component, at most */
 #define EXPONENTS_OF_ONE 1024 /* half floats of an exponent */
 
 double pack_half_from_code(int code)

@@ -2,8 +2,8 @@
  * from the GLSL. They are the oracle of the tests, the constant folder and `matc --eval`. A
  * reference is
  *     REFERENCE(wood) { result[0] = hypot(args[0], args[1]); }
- * args: the function's arguments one after the other, a vector as its lanes, a sampler as an index
- * into context->textures. */
+ * args: the function's arguments one after the other, a vector as its components, a sampler as an
+ * index into context->textures. */
 #ifndef MATC_REFERENCE_H
 #define MATC_REFERENCE_H
 #include <math.h>
@@ -27,12 +27,12 @@ typedef enum {
 /* A texture as the reference sees it. Row 0 is the bottom row, v = 0. */
 typedef struct {
     int width, height;
-    int lanes; /* 1 or 4 */
-    /* lanes a texel, a byte over 255 is the value; NULL when floats are set */
+    int components; /* 1 or 4 */
+    /* components a texel, a byte over 255 is the value; NULL when floats are set */
     const uint8_t *bytes;
     const float *floats;
     const uint16_t *words; /* a word over 65535 is the value; NULL when bytes or floats are set */
-    bool srgb;             /* the first three lanes are decoded */
+    bool srgb;             /* the first three components are decoded */
     ReferenceWrap wrap;    /* what stands beyond the edges */
     bool
         /* of a program: the wrap is its sampler's, and what fetches texels repeats them; else it is

@@ -129,21 +129,22 @@ static void sun_irradiance(double slope, double turbidity, double rgb[3])
     for (int nm = FIRST_NM, i = 0; nm <= LAST_NM; nm += STEP_NM, i++) {
         double matching[3], radiance = solar[i] * SOLAR_UNIT * transmittance(nm, m, turbidity);
         color_matching(nm, matching);
-        for (int lane = 0; lane < 3; lane++)
-            xyz[lane] += radiance * matching[lane] * STEP_NM;
+        for (int component = 0; component < 3; component++)
+            xyz[component] += radiance * matching[component] * STEP_NM;
     }
     rgb_of_xyz(xyz, rgb);
-    for (int lane = 0; lane < 3; lane++)
-        rgb[lane] *= 2 * M_PI * (1 - cos(SUN_RADIUS));
+    for (int component = 0; component < 3; component++)
+        rgb[component] *= 2 * M_PI * (1 - cos(SUN_RADIUS));
 }
 
-/* Perez' function of one lane, of the cosine of the angle to the zenith and the angle to the
+/* Perez' function of one component, of the cosine of the angle to the zenith and the angle to the
  * sun. */
-static double perez(double rows[SKY_ROWS][3], int lane, double slope, double angle)
+static double perez(double rows[SKY_ROWS][3], int component, double slope, double angle)
 {
     double cosine = cos(angle);
-    return (1 + rows[A][lane] * exp(rows[B][lane] / slope)) *
-           (1 + rows[C][lane] * exp(rows[D][lane] * angle) + rows[E][lane] * cosine * cosine);
+    return (1 + rows[A][component] * exp(rows[B][component] / slope)) *
+           (1 + rows[C][component] * exp(rows[D][component] * angle) +
+            rows[E][component] * cosine * cosine);
 }
 
 static double dot(const double a[3], const double b[3])
@@ -180,8 +181,8 @@ static void radiance(double rows[SKY_ROWS][3], const double direction[3], double
     view[2] = fmax(view[2], LEAST_SLOPE);
     unit(view, view);
     double angle = angle_between(view, rows[SUN]);
-    for (int lane = 0; lane < 3; lane++)
-        sky[lane] = rows[ZENITH][lane] * perez(rows, lane, view[2], angle);
+    for (int component = 0; component < 3; component++)
+        sky[component] = rows[ZENITH][component] * perez(rows, component, view[2], angle);
     double scale = fmax(sky[0], 0) / fmax(sky[2], LEAST_Y);
     const double xyz[3] = {scale * sky[1], scale * sky[2], scale * (1 - sky[1] - sky[2])};
     rgb_of_xyz(xyz, rgb);
@@ -220,7 +221,7 @@ static void zenith(double turbidity, double s, double result[3])
 /* As sky_coefficients, but for the scale. */
 static void make_rows(const double sun[3], double t, double out[SKY_ROWS][3])
 {
-    /* [row][lane]: slope by turbidity, value at turbidity 0 */
+    /* [row][component]: slope by turbidity, value at turbidity 0 */
     static const double linear[E - A + 1][3][2] = {
         {{.17872, -1.46303}, {-.01925, -.25922}, {-.01669, -.26078}},
         {{-.35540, .42749}, {-.06651, .00081}, {-.09495, .00921}},
@@ -231,12 +232,12 @@ static void make_rows(const double sun[3], double t, double out[SKY_ROWS][3])
     unit(sun, out[SUN]);
     double angle = acos(clamp(out[SUN][2], -1, 1));
     for (int row = A; row <= E; row++)
-        for (int lane = 0; lane < 3; lane++)
-            out[row][lane] = linear[row - A][lane][0] * t + linear[row - A][lane][1];
+        for (int component = 0; component < 3; component++)
+            out[row][component] = linear[row - A][component][0] * t + linear[row - A][component][1];
     zenith(t, angle, out[ZENITH]);
     out[ZENITH][0] *= 1000 / LUMINOUS_EFFICACY;
-    for (int lane = 0; lane < 3; lane++)
-        out[ZENITH][lane] /= perez(out, lane, 1, angle);
+    for (int component = 0; component < 3; component++)
+        out[ZENITH][component] /= perez(out, component, 1, angle);
 }
 
 /* Scale of sky and sun that gives the horizontal plane MATERIAL_IRRADIANCE. */
@@ -263,8 +264,8 @@ void sky_sun(const double sun[3], double turbidity, double radiance_factor, doub
     make_rows(sun, t, rows);
     sun_irradiance(rows[SUN][2], t, irradiance);
     const double scale = radiance_factor * scale_of(rows, irradiance);
-    for (int lane = 0; lane < 3; lane++)
-        irradiance[lane] *= scale;
+    for (int component = 0; component < 3; component++)
+        irradiance[component] *= scale;
 }
 
 REFERENCE(skyRadiance)
@@ -272,10 +273,10 @@ REFERENCE(skyRadiance)
     double rows[SKY_ROWS][3];
     (void)context;
     /* The function takes the sun before the coefficients, the rows have it last. */
-    for (int lane = 0; lane < 3; lane++) {
-        rows[SUN][lane] = args[3 + lane];
+    for (int component = 0; component < 3; component++) {
+        rows[SUN][component] = args[3 + component];
         for (int row = ZENITH; row <= E; row++)
-            rows[row][lane] = args[6 + 3 * row + lane];
+            rows[row][component] = args[6 + 3 * row + component];
     }
     radiance(rows, args, result);
 }

@@ -2,10 +2,10 @@
 #ifndef MATC_SKY_H
 #define MATC_SKY_H
 
-/* Rows of out, lanes Y, x, y of the first six: zenith over F(0, angle of the sun); Perez' A, B, C,
- * D, E; the unit vector to the sun. The zenith's Y is in W/(m2 sr), times radiance_factor, times 10
- * / (total irradiance of sky and sun), which is how the sky looks as a material. Turbidity is taken
- * to [1.7, 64]: below, F has a zero where the model divides by it. */
+/* Rows of out, components Y, x, y of the first six: zenith over F(0, angle of the sun); Perez' A,
+ * B, C, D, E; the unit vector to the sun. The zenith's Y is in W/(m2 sr), times radiance_factor,
+ * times 10 / (total irradiance of sky and sun), which is how the sky looks as a material. Turbidity
+ * is taken to [1.7, 64]: below, F has a zero where the model divides by it. */
 void sky_coefficients(const double sun[3], double turbidity, double radiance_factor,
                       double out[7][3]);
 

@@ -11,7 +11,7 @@
 #include <float.h>
 #include <math.h>
 
-enum { LANES = AFFINE_LANES };
+enum { COMPONENTS = AFFINE_COMPONENTS };
 /* Bound of a factor or an offset: twice its value is still a float. */
 static const double GREATEST = FLT_MAX / 4;
 
@@ -19,11 +19,11 @@ static Line constant(double value) { return (Line){.offset = value}; }
 
 /* Returns the identity form: a node that is not affine is a root. Only the first three
  * components of a vec4 can be roots. */
-static Line start(Ref ref, int lane)
+static Line start(Ref ref, int component)
 {
-    Line line = {.root = ref, .closed = lane >= LANES};
+    Line line = {.root = ref, .closed = component >= COMPONENTS};
     if (!line.closed)
-        line.factor[lane] = 1;
+        line.factor[component] = 1;
     return line;
 }
 
@@ -33,7 +33,7 @@ static bool combined(const Line *a, const Line *b, double sign, Line *sum)
     if (a->closed || b->closed || (a->root && b->root && a->root != b->root))
         return false;
     *sum = (Line){.root = a->root ? a->root : b->root, .offset = a->offset + sign * b->offset};
-    for (int i = 0; i < LANES; i++)
+    for (int i = 0; i < COMPONENTS; i++)
         sum->factor[i] = a->factor[i] + sign * b->factor[i];
     return true;
 }
@@ -41,87 +41,89 @@ static bool combined(const Line *a, const Line *b, double sign, Line *sum)
 static Line scaled(Line line, double factor)
 {
     line.offset *= factor;
-    for (int i = 0; i < LANES; i++)
+    for (int i = 0; i < COMPONENTS; i++)
         line.factor[i] *= factor;
     return line;
 }
 
 /* Returns the affine form of one component; a scalar is repeated over the components of a
  * vector. */
-static Line line_of(const Lower *l, Ref ref, int lane)
+static Line line_of(const Lower *l, Ref ref, int component)
 {
-    if (ir_lanes(l->ir, ref) == 1)
-        lane = 0;
+    if (ir_components(l->ir, ref) == 1)
+        component = 0;
     if (ir_is(l->ir, ref, OP_const))
-        return constant(ir_numbers(l->ir, ref)[lane]);
-    return l->affine.first[ref] ? l->affine.lines[l->affine.first[ref] - 1 + (size_t)lane]
-                                : start(ref, lane);
+        return constant(ir_numbers(l->ir, ref)[component]);
+    return l->affine.first[ref] ? l->affine.lines[l->affine.first[ref] - 1 + (size_t)component]
+                                : start(ref, component);
 }
 
-static Line sum_line(const Lower *l, Ref ref, int lane)
+static Line sum_line(const Lower *l, Ref ref, int component)
 {
-    Line a = line_of(l, ir_arg(l->ir, ref, 0), lane), b = line_of(l, ir_arg(l->ir, ref, 1), lane),
-         sum;
-    return combined(&a, &b, ir_is(l->ir, ref, OP_sub) ? -1 : 1, &sum) ? sum : start(ref, lane);
+    Line a = line_of(l, ir_arg(l->ir, ref, 0), component),
+         b = line_of(l, ir_arg(l->ir, ref, 1), component), sum;
+    return combined(&a, &b, ir_is(l->ir, ref, OP_sub) ? -1 : 1, &sum) ? sum : start(ref, component);
 }
 
-static Line product_line(const Lower *l, Ref ref, int lane)
+static Line product_line(const Lower *l, Ref ref, int component)
 {
-    Line a = line_of(l, ir_arg(l->ir, ref, 0), lane), b = line_of(l, ir_arg(l->ir, ref, 1), lane);
+    Line a = line_of(l, ir_arg(l->ir, ref, 0), component),
+         b = line_of(l, ir_arg(l->ir, ref, 1), component);
     if (!a.root)
         return scaled(b, a.offset);
-    return b.root ? start(ref, lane) : scaled(a, b.offset);
+    return b.root ? start(ref, component) : scaled(a, b.offset);
 }
 
 /* Returns the product of a matrix, given by constant columns, and a vector. */
-static Line linear_line(const Lower *l, Ref ref, int lane)
+static Line linear_line(const Lower *l, Ref ref, int component)
 {
     Line total = constant(0);
     for (int k = 1; k < ir_at(l->ir, ref)->count; k++) {
-        Line factor = line_of(l, ir_arg(l->ir, ref, k), lane),
+        Line factor = line_of(l, ir_arg(l->ir, ref, k), component),
              x = line_of(l, ir_arg(l->ir, ref, 0), k - 1), sum;
         if (factor.root)
-            return start(ref, lane);
+            return start(ref, component);
         Line part = scaled(x, factor.offset);
         if (!combined(&total, &part, 1, &sum))
-            return start(ref, lane);
+            return start(ref, component);
         total = sum;
     }
     return total;
 }
 
-static Line vec_line(const Lower *l, Ref ref, int lane)
+static Line vec_line(const Lower *l, Ref ref, int component)
 {
-    int own = lane;
+    int own = component;
     for (int i = 0; i < ir_at(l->ir, ref)->count; i++) {
         Ref part = ir_arg(l->ir, ref, i);
-        if (lane < ir_lanes(l->ir, part))
-            return line_of(l, part, lane);
-        lane -= ir_lanes(l->ir, part);
+        if (component < ir_components(l->ir, part))
+            return line_of(l, part, component);
+        component -= ir_components(l->ir, part);
     }
     return start(ref, own);
 }
 
-static Line negated_line(const Lower *l, Ref ref, int lane)
+static Line negated_line(const Lower *l, Ref ref, int component)
 {
-    return scaled(line_of(l, ir_arg(l->ir, ref, 0), lane), -1);
+    return scaled(line_of(l, ir_arg(l->ir, ref, 0), component), -1);
 }
 
-static Line swizzle_line(const Lower *l, Ref ref, int lane)
+static Line swizzle_line(const Lower *l, Ref ref, int component)
 {
-    return line_of(l, ir_arg(l->ir, ref, 0), (int)(ir_at(l->ir, ref)->payload >> 2 * lane & 3));
+    return line_of(l, ir_arg(l->ir, ref, 0),
+                   (int)(ir_at(l->ir, ref)->payload >> 2 * component & 3));
 }
 
 /* Returns the affine form of a new node from those of its operands: the AFFINE lines of ops.def. */
-static Line new_line(const Lower *l, Ref ref, int lane)
+static Line new_line(const Lower *l, Ref ref, int component)
 {
     switch (ir_at(l->ir, ref)->op) {
 #define AFFINE(name, function)                                                                     \
     case OP_##name:                                                                                \
-        return function(l, ref, lane);
+        return function(l, ref, component);
 #include "grammar/ops.def"
     default:
-        return start(ref, lane);
+        return start(ref, component);
     }
 }
 
@@ -140,7 +142,7 @@ static bool is_affine(const IrNode *node)
 static bool is_finite(const Line *line)
 {
     double greatest = fabs(line->offset);
-    for (int i = 0; i < LANES; i++)
+    for (int i = 0; i < COMPONENTS; i++)
         greatest = fmax(greatest, fabs(line->factor[i]));
     return greatest <= GREATEST && !isnan(line->offset);
 }
@@ -157,10 +159,10 @@ static void follow(Lower *l, Ref last)
         if (!is_affine(ir_at(l->ir, ref)))
             continue;
         uint32_t first = (uint32_t)affine->count + 1;
-        for (int lane = 0; lane < ir_lanes(l->ir, ref); lane++) {
-            Line line = new_line(l, ref, lane);
+        for (int component = 0; component < ir_components(l->ir, ref); component++) {
+            Line line = new_line(l, ref, component);
             if ((line.closed && line.root != ref) || !is_finite(&line))
-                line = start(ref, lane);
+                line = start(ref, component);
             ARENA_PUSH(l->session->arena, affine->lines, affine->count, affine->room, line);
         }
         affine->first[ref] = first;
@@ -172,7 +174,7 @@ static void follow(Lower *l, Ref last)
 static bool is_exact(const Line *line)
 {
     int terms = 0, exponent;
-    for (int i = 0; i < LANES; i++) {
+    for (int i = 0; i < COMPONENTS; i++) {
         terms += line->factor[i] != 0;
         if (line->factor[i] != 0 && fabs(frexp(line->factor[i], &exponent)) != 0.5)
             return false;
@@ -191,8 +193,8 @@ static double upper_bits(double x)
 
 /* A coordinate as affine forms of one root, one per component, to be multiplied by `scale`. */
 typedef struct {
-    Line line[LANES];
-    int lanes;
+    Line line[COMPONENTS];
+    int components;
     double scale;
 } Lines;
 
@@ -201,9 +203,9 @@ typedef struct {
 static void put_column(Lower *l, const Lines *lines, int column, Ref parts[3])
 {
     double value[3][4] = {{0}};
-    for (int i = 0; i < lines->lanes; i++) {
+    for (int i = 0; i < lines->components; i++) {
         const Line *line = &lines->line[i];
-        double exact = lines->scale * (column < LANES ? line->factor[column] : line->offset);
+        double exact = lines->scale * (column < COMPONENTS ? line->factor[column] : line->offset);
         value[0][i] = upper_bits(exact);
         value[1][i] = upper_bits(exact - value[0][i]);
         value[2][i] = exact - value[0][i] - value[1][i];
@@ -216,25 +218,25 @@ static Ref as_vec3(Lower *l, Ref value)
 {
     Ir *ir = l->ir;
     static const double none[4];
-    int lanes = ir_lanes(ir, value);
-    if (lanes == 4)
+    int components = ir_components(ir, value);
+    if (components == 4)
         return build_swizzle(ir, value, "xyz");
-    if (lanes == 3)
+    if (components == 3)
         return value;
-    Ref rest = ir_const(ir, lanes == 2 ? TYPE_float : TYPE_vec2, none);
+    Ref rest = ir_const(ir, components == 2 ? TYPE_float : TYPE_vec2, none);
     return build_vec(ir, TYPE_vec3, value, rest);
 }
 
 /* Finds affine forms of the components with one common root. Returns false if nothing is gained. */
-static bool lines_of(Lower *l, Ref coordinate, Line lines[LANES], Ref *root)
+static bool lines_of(Lower *l, Ref coordinate, Line lines[COMPONENTS], Ref *root)
 {
-    int lanes = ir_lanes(l->ir, coordinate);
+    int components = ir_components(l->ir, coordinate);
     bool exact = true;
     *root = 0;
-    if (l->job->choice[AXIS_coordinates] != CHOICE_coordinates_long || lanes > LANES)
+    if (l->job->choice[AXIS_coordinates] != CHOICE_coordinates_long || components > COMPONENTS)
         return false;
     follow(l, coordinate);
-    for (int i = 0; i < lanes; i++) {
+    for (int i = 0; i < components; i++) {
         lines[i] = line_of(l, coordinate, i);
         exact &= is_exact(&lines[i]);
         if (lines[i].root == coordinate || (*root && lines[i].root && lines[i].root != *root))
@@ -247,20 +249,20 @@ static bool lines_of(Lower *l, Ref coordinate, Line lines[LANES], Ref *root)
 bool affine_coordinate(Lower *l, Ref coordinate, double scale, LongCoordinate *parts)
 {
     Ir *ir = l->ir;
-    static const char *const lanes_of[] = {"", "x", "xy"};
-    Ref root, args[1 + 3 * (LANES + 1)];
-    const int lanes = ir_lanes(ir, coordinate);
-    Lines lines = {.lanes = lanes, .scale = scale};
+    static const char *const components_of[] = {"", "x", "xy"};
+    Ref root, args[1 + 3 * (COMPONENTS + 1)];
+    const int components = ir_components(ir, coordinate);
+    Lines lines = {.components = components, .scale = scale};
     if (!lines_of(l, coordinate, lines.line, &root))
         return false;
     args[0] = as_vec3(l, root);
-    for (int column = 0; column <= LANES; column++)
+    for (int column = 0; column <= COMPONENTS; column++)
         put_column(l, &lines, column, &args[1 + 3 * column]);
-    parts->whole = build_call_of(ir, FN_affineWhole, args, 1 + 3 * (LANES + 1));
-    parts->fraction = build_call_of(ir, FN_affineFraction, args, 1 + 3 * (LANES + 1));
-    if (lanes < LANES) {
-        parts->whole = build_swizzle(ir, parts->whole, lanes_of[lanes]);
-        parts->fraction = build_swizzle(ir, parts->fraction, lanes_of[lanes]);
+    parts->whole = build_call_of(ir, FN_affineWhole, args, 1 + 3 * (COMPONENTS + 1));
+    parts->fraction = build_call_of(ir, FN_affineFraction, args, 1 + 3 * (COMPONENTS + 1));
+    if (components < COMPONENTS) {
+        parts->whole = build_swizzle(ir, parts->whole, components_of[components]);
+        parts->fraction = build_swizzle(ir, parts->fraction, components_of[components]);
     }
     for (int d = 0; d < DIRECTION_COUNT; d++) { /* the whole part changes as the coordinate does */
         Ref slope = slope_of(l, coordinate, (Direction)d);

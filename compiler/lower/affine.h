@@ -3,13 +3,13 @@
 #define MATC_AFFINE_H
 #include "compiler/ir/build.h"
 
-enum { AFFINE_LANES = 3 };
+enum { AFFINE_COMPONENTS = 3 };
 
 /* The affine form of one component: offset + sum of factor[i] * component i of the root. */
 typedef struct {
     Ref root;    /* 0: the form is a constant */
     bool closed; /* component 4: no affine form can start from it */
-    double factor[AFFINE_LANES], offset;
+    double factor[AFFINE_COMPONENTS], offset;
 } Line;
 
 /* The affine forms found so far. */

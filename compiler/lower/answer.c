@@ -7,15 +7,15 @@ Type answer_common_type(Type a, Type b)
 {
     if ((a == TYPE_float && b == TYPE_vec2) || (a == TYPE_vec2 && b == TYPE_float))
         return TYPE_vec3;
-    return type_table[a].lanes > type_table[b].lanes ? a : b;
+    return type_table[a].components > type_table[b].components ? a : b;
 }
 
-Answer answer_swizzle(Lower *l, Answer a, const char *lanes)
+Answer answer_swizzle(Lower *l, Answer a, const char *components)
 {
     Ir *ir = l->ir;
-    Answer part = answer_of(build_swizzle(ir, a.value, lanes));
+    Answer part = answer_of(build_swizzle(ir, a.value, components));
     if (a.variance)
-        part.variance = build_swizzle(ir, a.variance, lanes);
+        part.variance = build_swizzle(ir, a.variance, components);
     return part;
 }
 
@@ -96,7 +96,7 @@ static Ref either_variance(Lower *l, Ref by, const Answer *a, const Answer *b)
 
 Ref answer_alpha(Lower *l, Ref color)
 {
-    if (!l->cheap || ir_lanes(l->ir, color) < 4)
+    if (!l->cheap || ir_components(l->ir, color) < 4)
         return 0;
     Ref alpha = build_swizzle(l->ir, color, "w");
     return ir_is(l->ir, alpha, OP_const) ? alpha : 0;

@@ -8,7 +8,7 @@
 /* Returns a value without variance or split. */
 static inline Answer answer_of(Ref value) { return (Answer){value, 0, NULL}; }
 /* Selects components, by letters of "xyz". */
-Answer answer_swizzle(Lower *l, Answer a, const char *lanes);
+Answer answer_swizzle(Lower *l, Answer a, const char *components);
 /* Returns the type that can hold colors of both types. A float fills all components and a vec2
  * two of them, hence a vec3. */
 Type answer_common_type(Type a, Type b);

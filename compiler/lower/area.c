@@ -52,7 +52,7 @@ static Answer octaves(Lower *l, const Octaves *o, Answer p, const Ref *args, int
     Ref values[MOST_TAPS] = {0}, all[MOST_ARGUMENTS];
     LongCoordinate parts;
     int tap_count = footprint_taps(l, p, taps);
-    Ref edge = tap_count ? footprint_greatest_lane(l, taps[0].edges) : build_float(ir, 0);
+    Ref edge = tap_count ? footprint_greatest_component(l, taps[0].edges) : build_float(ir, 0);
     bool is_long = affine_coordinate(l, p.value, 1, &parts);
     for (int i = 0; i < tap_count + !tap_count; i++) {
         int used = 0;
@@ -120,7 +120,7 @@ static Answer far_away(Lower *l, Kind kind, Answer p, const Ref *args, Answer ne
     Answer far;
     if (!edges || !cells_far(l, (Far)kind_table[kind].far, args, &far))
         return near;
-    Ref beyond = build_sub(ir, footprint_greatest_lane(l, edges), build_float(ir, begin));
+    Ref beyond = build_sub(ir, footprint_greatest_component(l, edges), build_float(ir, begin));
     Ref share =
         build_clamp(ir, build_scale(ir, beyond, 1 / width), build_float(ir, 0), build_float(ir, 1));
     Ref value = build_mix(ir, near.value, far.value, share);
@@ -195,20 +195,20 @@ static Ref within_period(Lower *l, Ref q)
 Ref area_odd_share(Lower *l, Answer q)
 {
     Ir *ir = l->ir;
-    static const char *const lane[] = {"x", "y", "z"};
-    int lanes = ir_lanes(ir, q.value);
+    static const char *const component[] = {"x", "y", "z"};
+    int components = ir_components(ir, q.value);
     Ref edges = footprint_edges(l, q), product;
     if (!edges)
         return 0;
     Ref part = within_period(l, q.value), longer = footprint_longer(l, q, &edges);
     if (longer) {
-        product =
-            build_call(ir, lanes == 2 ? FN_stripesAlong2 : FN_stripesAlong3, part, longer, edges);
+        product = build_call(ir, components == 2 ? FN_stripesAlong2 : FN_stripesAlong3, part,
+                             longer, edges);
     } else {
-        Ref stripes = build_call(ir, lanes == 2 ? FN_stripes2 : FN_stripes3, part, edges);
-        product = build_swizzle(ir, stripes, lane[0]);
-        for (int k = 1; k < lanes; k++)
-            product = build_mul(ir, product, build_swizzle(ir, stripes, lane[k]));
+        Ref stripes = build_call(ir, components == 2 ? FN_stripes2 : FN_stripes3, part, edges);
+        product = build_swizzle(ir, stripes, component[0]);
+        for (int k = 1; k < components; k++)
+            product = build_mul(ir, product, build_swizzle(ir, stripes, component[k]));
     }
     return build_sub(ir, build_float(ir, 0.5), build_scale(ir, product, 0.5));
 }
@@ -319,12 +319,12 @@ Ref area_picture_near(Lower *l, const Picture *p, Ref point, Ref uv)
 /* Returns the slope of an image whose sampler does all addressing. With the neighbors' footprint
  * the picture is read outside of every branch, which is faster than passing a footprint within
  * one: on an H100 three reads take 0.2 ns a pixel, with passed footprints 0.8. */
-static Ref rise_over(Lower *l, const Picture *p, Ref uv, Ref lane, Ref shown)
+static Ref rise_over(Lower *l, const Picture *p, Ref uv, Ref component, Ref shown)
 {
     Ir *ir = l->ir;
     const Word wrap = ir->textures[ir_at(ir, p->sampler)->payload].wrap;
     const Spread spread = spread_of(l, uv);
-    Ref args[7] = {p->sampler, uv, p->size, lane};
+    Ref args[7] = {p->sampler, uv, p->size, component};
     int count = 4;
     if (wrap != WORD_Address_repeat)
         args[count++] = build_int(ir, wrap - WORD_Address_repeat);
@@ -339,10 +339,10 @@ static Ref rise_over(Lower *l, const Picture *p, Ref uv, Ref lane, Ref shown)
 }
 
 /* Returns the change over one texel. GLSL 1.10 cannot fetch texels of a texture with mipmaps. */
-Ref area_picture_rise(Lower *l, const Picture *p, Ref uv, int lane, Ref shown)
+Ref area_picture_rise(Lower *l, const Picture *p, Ref uv, int component, Ref shown)
 {
     Ir *ir = l->ir;
-    Ref number = build_int(ir, lane);
+    Ref number = build_int(ir, component);
     if (p->address != WORD_Address_repeat)
         return 0;
     if (p->function == FN_imageBilinear)

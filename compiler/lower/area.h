@@ -29,7 +29,7 @@ Ref area_picture_near(Lower *l, const Picture *picture, Ref point, Ref uv);
 /* Returns the change of one component over one texel along u and v, a vec2. Magnified pictures
  * use the texels themselves; otherwise `shown`, the differences of area_picture_near(), is
  * returned. 0: use `shown` in any case. */
-Ref area_picture_rise(Lower *l, const Picture *picture, Ref uv, int lane, Ref shown);
+Ref area_picture_rise(Lower *l, const Picture *picture, Ref uv, int component, Ref shown);
 /* Returns 1 / (high - low) of known numbers, computed in double here or when the buffer is
  * filled; 0 if they are equal. */
 Ref area_known_inverse(Lower *l, Ref low, Ref high);

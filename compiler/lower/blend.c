@@ -64,7 +64,7 @@ static bool within_unit(const Ir *ir, Ref ref, int depth)
     const IrNode *node = ir_at(ir, ref);
     const double *known = ir_known(ir, ref);
     const int first = first_in_unit((Op)node->op);
-    for (int i = 0; known && i < ir_lanes(ir, ref); i++)
+    for (int i = 0; known && i < ir_components(ir, ref); i++)
         if (!(known[i] >= 0 && known[i] <= 1))
             return false;
     if (known || first < 0)
@@ -82,8 +82,8 @@ static bool alike_constants(const Ir *ir, const Stop *stops, int count)
     for (int i = 0; i < count; i++) {
         if (!ir_known(ir, stops[i].result))
             return false;
-        for (int lane = 0; lane < ir_lanes(ir, stops[i].result); lane++) {
-            double size = fabs(ir_known(ir, stops[i].result)[lane]);
+        for (int component = 0; component < ir_components(ir, stops[i].result); component++) {
+            double size = fabs(ir_known(ir, stops[i].result)[component]);
             least = fmin(least, size);
             greatest = fmax(greatest, size);
         }

@@ -106,7 +106,7 @@ Answer cells_over_pixel(Lower *l, const Cells *cells, Answer q)
     const Type type = cells->measure == CELLS_VALUE_centre ? ir_type(ir, q.value) : TYPE_float;
     const Statistics *s =
         &statistics[cells->dimensions - CELLS_FEWEST_DIMENSIONS][cells->distance][cells->measure];
-    const Fading fade = fading(l, cells, footprint_greatest_lane(l, taps[0].edges));
+    const Fading fade = fading(l, cells, footprint_greatest_component(l, taps[0].edges));
     Ref shows = build_lt(ir, build_float(ir, 0), fade.share), sum = 0;
     for (int i = 0; i < count; i++) {
         Ref value = build_guard(ir, shows, at_tap(l, cells, q.value, taps[i].middle));

@@ -37,7 +37,7 @@ static Ref together(Lower *l, Ref a, Ref b)
         return 0;
     if (!a || !b)
         return build_abs(ir, a ? a : b);
-    if (ir_lanes(ir, a) > 1)
+    if (ir_components(ir, a) > 1)
         return build_max(ir, build_abs(ir, a), build_abs(ir, b));
     return build_sqrt(ir, build_add(ir, build_square(ir, a), build_square(ir, b)));
 }
@@ -115,13 +115,13 @@ Ref footprint_edges(Lower *l, Answer a)
     return with_variance(l, together(l, right, up), a.variance);
 }
 
-Ref footprint_greatest_lane(Lower *l, Ref value)
+Ref footprint_greatest_component(Lower *l, Ref value)
 {
     Ir *ir = l->ir;
-    static const char *const lane[] = {"x", "y", "z", "w"};
+    static const char *const component[] = {"x", "y", "z", "w"};
     Ref greatest = build_swizzle(ir, value, "x");
-    for (int i = 1; i < ir_lanes(ir, value); i++)
-        greatest = build_max(ir, greatest, build_swizzle(ir, value, lane[i]));
+    for (int i = 1; i < ir_components(ir, value); i++)
+        greatest = build_max(ir, greatest, build_swizzle(ir, value, component[i]));
     return greatest;
 }
 

@@ -36,7 +36,7 @@ int footprint_points(Lower *l, Ref coordinate, Ref points[MOST_TAPS]);
  * need a guard. */
 Ref footprint_edges(Lower *l, Answer a);
 /* Returns the maximum over the components. */
-Ref footprint_greatest_lane(Lower *l, Ref value);
+Ref footprint_greatest_component(Lower *l, Ref value);
 /* Splits `scale` times a coordinate into an integer and a fraction in [-1/2, 1/2], for
  * --coordinates=long. The coordinate must be an affine function with constant factors. Returns
  * false if the coordinate is exact as it is, or not affine. affine.c */

@@ -276,9 +276,9 @@ static Answer lower_volume(Lower *l, const Node *node, Group group, const Env *e
             lower_param(l, &node->params[i], type_of[param_table[row->first + i].type]);
     }
     Answer answer = volume_answer(l, &volume, steps.q);
-    for (int i = 0; i < row->step_lanes; i++)
+    for (int i = 0; i < row->step_components; i++)
         steps.step[i] = row->step;
-    if (row->step_lanes)
+    if (row->step_components)
         relief_step(l, answer.value, &steps);
     return answer_as_group(l, answer, group);
 }

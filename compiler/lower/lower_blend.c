@@ -147,7 +147,7 @@ static Ref blend_guards(Lower *l, Ref t, const Stop *stops, int count)
     return noted(l, sum, &(Blended){t, stops, own, count});
 }
 
-static Answer blend_lanes(Lower *l, Answer t, const Stop *stops, int count)
+static Answer blend_components(Lower *l, Answer t, const Stop *stops, int count)
 {
     if (count > MOST_AREA_ITEMS || !ascending(l->ir, stops, count, false))
         return answer_of(blend_point(l, t.value, stops, count));
@@ -180,14 +180,14 @@ static Answer blend_at(Lower *l, Answer t, const Stop *stops, int count)
     Ir *ir = l->ir;
     Ref alpha = common_alpha(l, stops, count);
     if (!alpha)
-        return blend_lanes(l, t, stops, count);
+        return blend_components(l, t, stops, count);
     Stop *color = ARENA_ARRAY(l->session->arena, Stop, count);
     for (int i = 0; i < count; i++) {
         Ref result = build_swizzle(ir, stops[i].result, "xyz");
         Ref variance = stops[i].variance ? build_swizzle(ir, stops[i].variance, "xyz") : 0;
         color[i] = (Stop){stops[i].value, result, variance};
     }
-    Answer blend = blend_lanes(l, t, color, count);
+    Answer blend = blend_components(l, t, color, count);
     Answer whole = answer_of(build_vec(ir, TYPE_vec4, blend.value, alpha));
     if (blend.variance)
         whole.variance = build_vec(ir, TYPE_vec4, blend.variance, build_float(ir, 0));

@@ -68,9 +68,9 @@ static Ref above(Lower *l, Ref heights, double threshold)
     Ir *ir = l->ir;
     Ref from[2], to[2];
     for (int i = 0; i < 2; i++) {
-        from[i] = build_lane(ir, heights, 2 * i);
+        from[i] = build_component(ir, heights, 2 * i);
         Ref low = build_lt(ir, from[i], build_float(ir, threshold));
-        to[i] = build_select(ir, low, from[i], build_lane(ir, heights, 2 * i + 1));
+        to[i] = build_select(ir, low, from[i], build_component(ir, heights, 2 * i + 1));
     }
     return build_vec(ir, TYPE_vec4, from[0], to[0], from[1], to[1]);
 }
@@ -129,7 +129,7 @@ static Ref slid(Lower *l, const Env *env, const Carried *m, bool by_v)
     for (int i = 0; i < 2; i++) {
         const Ref swing = by_v ? m->swings[i].v : m->swings[i].u;
         if (swing)
-            whole = build_add(ir, whole, build_mul(ir, swing, build_lane(ir, m->by, i)));
+            whole = build_add(ir, whole, build_mul(ir, swing, build_component(ir, m->by, i)));
     }
     return whole;
 }
@@ -145,7 +145,7 @@ static Ref rise(Lower *l, const Env *env, const Carried *m, bool by_v)
     Ref up = build_swizzle(ir, slope, "z");
     for (int i = 0; i < 2 && turn; i++) {
         Ref bends = build_dot(ir, turn, lower_unit(l, tangent(env, i)));
-        up = build_sub(ir, up, build_mul(ir, build_lane(ir, m->by, i), bends));
+        up = build_sub(ir, up, build_mul(ir, build_component(ir, m->by, i), bends));
     }
     return up;
 }

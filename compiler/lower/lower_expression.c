@@ -44,7 +44,7 @@ static Ref quantity_at(Lower *l, const Node *input, Quantity quantity, const Env
     Ref group = lower_ask(l, input, row->group, env);
     if (quantity == QUANTITY_N)
         group = build_call(l->ir, FN_safeNormalize, group);
-    return build_swizzle(l->ir, group, row->lanes);
+    return build_swizzle(l->ir, group, row->components);
 }
 
 /* Returns a map's value in the declared number of components; one component is the color's
@@ -54,9 +54,9 @@ static Ref input_at(Lower *l, const Item *item, const Env *env)
     Ir *ir = l->ir;
     const int width = item->width ? item->width : item->input ? item->input->width : 3;
     Ref value = lower_ask(l, item->input, GROUP_R, env);
-    return width == 1 && ir_lanes(ir, value) > 1
+    return width == 1 && ir_components(ir, value) > 1
                ? build_swizzle(ir, value, "x")
-               : build_convert(ir, value, build_lanes_type(width));
+               : build_convert(ir, value, build_components_type(width));
 }
 
 static Ref list_of(Lower *l, const Formula *f, const FormulaStep *step, const Ref *refs)
@@ -65,10 +65,10 @@ static Ref list_of(Lower *l, const Formula *f, const FormulaStep *step, const Re
     for (uint32_t i = 0; i < step->count; i++)
         parts[i] = refs[formula_argument(f, step, i)];
     if (step->count == 1 && f->steps[formula_argument(f, step, 0)].width == 1)
-        return build_splat(l->ir, parts[0], build_lanes_type(step->width));
+        return build_splat(l->ir, parts[0], build_components_type(step->width));
     return step->count == 1
                ? parts[0]
-               : build_vec_of(l->ir, build_lanes_type(step->width), parts, (int)step->count);
+               : build_vec_of(l->ir, build_components_type(step->width), parts, (int)step->count);
 }
 
 static Ref term_of(Lower *l, const Formula *f, const FormulaStep *step, const Ref *refs)
@@ -95,7 +95,7 @@ static Ref step_of(Lower *l, const Formula *f, const FormulaStep *step, const Le
     case FORMULA_power:
         return lower_whole_power(l, refs[formula_argument(f, step, 0)], (int)step->number);
     case FORMULA_lanes:
-        return build_lanes(ir, refs[formula_argument(f, step, 0)], step->row, step->width);
+        return build_components(ir, refs[formula_argument(f, step, 0)], step->row, step->width);
     case FORMULA_list:
         return list_of(l, f, step, refs);
     default:

@@ -27,24 +27,24 @@ static Ref stored_slot(Lower *l, const Node *material, Slot slot, const Env *env
                                              : lower_slot(l, material, slot, env);
 }
 
-static Ref one_lane(Lower *l, const Node *material, SlotLane source, const Env *env)
+static Ref one_component(Lower *l, const Node *material, SlotComponent source, const Env *env)
 {
-    return build_lane(l->ir, stored_slot(l, material, source.slot, env), source.lane);
+    return build_component(l->ir, stored_slot(l, material, source.slot, env), source.component);
 }
 
 /* Returns the value of a piece's source. Consecutive components of one slot become a swizzle,
  * others a vector. */
 static Ref source_value(Lower *l, const Piece *piece, const Node *material, const Env *env)
 {
-    const SlotLane *source = &piece->field->source[piece->first];
-    Ref lanes[FIELD_LANES];
+    const SlotComponent *source = &piece->field->source[piece->first];
+    Ref components[FIELD_COMPONENTS];
     if (piece_is_slot(piece))
         return stored_slot(l, material, source[0].slot, env);
     for (int i = 0; i < piece->count; i++)
-        lanes[i] = one_lane(l, material, source[i], env);
+        components[i] = one_component(l, material, source[i], env);
     return piece->count == 1
-               ? lanes[0]
-               : build_vec_of(l->ir, build_lanes_type(piece->count), lanes, piece->count);
+               ? components[0]
+               : build_vec_of(l->ir, build_components_type(piece->count), components, piece->count);
 }
 
 /* Maps a value linearly from the field's range to [0, 1], as a texel stores it. */
@@ -82,13 +82,13 @@ typedef struct {
 
 /* Combines the pieces of one component of an integer target by shifts. Constant pieces are added
  * to `known` at compile time. */
-static Ref word_value(Lower *l, const Packed *p, int target, int lane, double known)
+static Ref word_value(Lower *l, const Packed *p, int target, int component, double known)
 {
     Ir *ir = l->ir;
     Ref word = 0;
     for (int i = 0; i < p->placement->count; i++) {
         const Piece *piece = &p->placement->pieces[i];
-        if (piece->target != target || piece->lane != lane)
+        if (piece->target != target || piece->component != component)
             continue;
         Ref code = piece_value(l, piece, p->material, p->env);
         ir->origin = ORIGIN_SURFACE; /* a word belongs to no single slot */
@@ -108,18 +108,18 @@ static Ref word_value(Lower *l, const Packed *p, int target, int lane, double kn
  * number; a `further` case also sets the highest bit of the last word. */
 static Ref words_value(Lower *l, const Packed *p, int target, int number)
 {
-    Ref words[FIELD_LANES];
-    for (int lane = 0; lane < FIELD_LANES; lane++) {
-        words[lane] =
-            word_value(l, p, target, lane, layout_case_code(l->job->layout, number, target, lane));
+    Ref words[FIELD_COMPONENTS];
+    for (int component = 0; component < FIELD_COMPONENTS; component++) {
+        words[component] = word_value(l, p, target, component,
+                                      layout_case_code(l->job->layout, number, target, component));
     }
-    return build_vec_of(l->ir, TYPE_uvec4, words, FIELD_LANES);
+    return build_vec_of(l->ir, TYPE_uvec4, words, FIELD_COMPONENTS);
 }
 
-static const Piece *piece_at(const Placement *placement, int target, int lane)
+static const Piece *piece_at(const Placement *placement, int target, int component)
 {
     for (int i = 0; i < placement->count; i++)
-        if (placement->pieces[i].target == target && placement->pieces[i].lane == lane)
+        if (placement->pieces[i].target == target && placement->pieces[i].component == component)
             return &placement->pieces[i];
     return NULL;
 }
@@ -128,12 +128,12 @@ static const Piece *piece_at(const Placement *placement, int target, int lane)
 static Ref floats_value(Lower *l, const Packed *p, int target)
 {
     Ir *ir = l->ir;
-    Ref parts[FIELD_LANES];
+    Ref parts[FIELD_COMPONENTS];
     int count = 0;
-    for (int lane = 0; lane < FIELD_LANES;) {
-        const Piece *piece = piece_at(p->placement, target, lane);
+    for (int component = 0; component < FIELD_COMPONENTS;) {
+        const Piece *piece = piece_at(p->placement, target, component);
         parts[count++] = piece ? piece_value(l, piece, p->material, p->env) : build_float(ir, 0);
-        lane += piece ? piece->size : 1;
+        component += piece ? piece->size : 1;
     }
     return count == 1 ? parts[0] : build_vec_of(ir, TYPE_vec4, parts, count);
 }
@@ -170,8 +170,9 @@ static bool is_asked(Lower *l, const LayoutRow *row, const Node *material, Slot 
 static bool is_given(Lower *l, const Node *material, const FixedRow *fixed, const Env *env)
 {
     const Ref value = lower_slot(l, material, fixed->slot, env);
-    for (int lane = 0; lane < ir_lanes(l->ir, value); lane++)
-        if (!ir_is(l->ir, value, OP_const) || ir_numbers(l->ir, value)[lane] != fixed->value[lane])
+    for (int component = 0; component < ir_components(l->ir, value); component++)
+        if (!ir_is(l->ir, value, OP_const) ||
+            ir_numbers(l->ir, value)[component] != fixed->value[component])
             return false;
     return true;
 }
@@ -297,9 +298,10 @@ static bool differs(Lower *l, const FixedRow *fixed, const Node *material, const
 {
     const double least = 1e-6;
     Ref value = lower_slot(l, material, fixed->slot, env);
-    for (int lane = 0; ir_is(l->ir, value, OP_const) && lane < ir_lanes(l->ir, value); lane++)
-        if (fabs(ir_numbers(l->ir, value)[lane] - fixed->value[lane]) >
-            least * fmax(1, fabs(fixed->value[lane])))
+    for (int component = 0;
+         ir_is(l->ir, value, OP_const) && component < ir_components(l->ir, value); component++)
+        if (fabs(ir_numbers(l->ir, value)[component] - fixed->value[component]) >
+            least * fmax(1, fabs(fixed->value[component])))
             return true;
     return false;
 }

@@ -219,8 +219,10 @@ Answer lower_Combine(Lower *l, const Node *node, Group group, const Env *env)
 /* Lowers a Separate: a component of a color that is widened to four. */
 Answer lower_Separate(Lower *l, const Node *node, Group group, const Env *env)
 {
-    static const char *const lanes[] = {"x", "y", "z", "w"};
-    const int lane = (int)node_param(node, P_Separate_channel)->number[0] - (int)WORD_Channel_r;
+    static const char *const components[] = {"x", "y", "z", "w"};
+    const int component =
+        (int)node_param(node, P_Separate_channel)->number[0] - (int)WORD_Channel_r;
     Answer x = colour(l, node, P_Separate_input, env);
-    return given(l, answer_swizzle(l, answer_widened(l, x, TYPE_vec4), lanes[lane]), group);
+    return given(l, answer_swizzle(l, answer_widened(l, x, TYPE_vec4), components[component]),
+                 group);
 }

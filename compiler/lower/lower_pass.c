@@ -205,9 +205,10 @@ static void note_opacity(Lower *l, const Node *material, const Env *env)
     Ref t = lower_slot(l, material, SLOT_transparency, env);
     if (!ir_is(l->ir, t, OP_const))
         return;
-    const double *lane = ir_numbers(l->ir, t);
-    l->ir->opacity =
-        lane[0] <= 0 && lane[1] <= 0 && lane[2] <= 0 ? OPACITY_opaque : OPACITY_transparent;
+    const double *component = ir_numbers(l->ir, t);
+    l->ir->opacity = component[0] <= 0 && component[1] <= 0 && component[2] <= 0
+                         ? OPACITY_opaque
+                         : OPACITY_transparent;
 }
 
 static void write_pass(Lower *l, const Node *material)

@@ -101,12 +101,14 @@ static Ref transparency(Lower *l, const Node *m, Slot slot, const Env *env)
         return slot == SLOT_transmission
                    ? build_float(ir, 0)
                    : build_convert(ir, build_sub(ir, one, opacity), TYPE_vec3);
-    Ref lanes = through(l, m, env);
+    Ref components = through(l, m, env);
     if (slot == SLOT_transparency)
-        return build_sub(ir, build_all(ir, TYPE_vec3, 1),
-                         build_mul(ir, opacity, build_sub(ir, build_all(ir, TYPE_vec3, 1), lanes)));
-    Ref most = build_max(ir, build_max(ir, build_lane(ir, lanes, 0), build_lane(ir, lanes, 1)),
-                         build_lane(ir, lanes, 2));
+        return build_sub(
+            ir, build_all(ir, TYPE_vec3, 1),
+            build_mul(ir, opacity, build_sub(ir, build_all(ir, TYPE_vec3, 1), components)));
+    Ref most = build_max(
+        ir, build_max(ir, build_component(ir, components, 0), build_component(ir, components, 1)),
+        build_component(ir, components, 2));
     return build_mul(ir, opacity, most);
 }
 
@@ -217,7 +219,8 @@ static Ref anisotropy(Lower *l, const Node *m, const Env *env)
     Ref cosine = build_cos(ir, twice), sine = build_sin(ir, twice);
     Ref turn = build_vec(ir, TYPE_vec2, cosine, sine);
     if (lower_param_node(m, P_Principled_tangent)) { /* the two angles are added */
-        Ref own = tangent_turn(l, m, env), x = build_lane(ir, own, 0), y = build_lane(ir, own, 1);
+        Ref own = tangent_turn(l, m, env), x = build_component(ir, own, 0),
+            y = build_component(ir, own, 1);
         Ref real = build_sub(ir, build_mul(ir, x, cosine), build_mul(ir, y, sine));
         turn = build_vec(ir, TYPE_vec2, real,
                          build_add(ir, build_mul(ir, x, sine), build_mul(ir, y, cosine)));
@@ -303,8 +306,8 @@ Ref lower_principled_of_phong(Lower *l, Slot slot, const PhongSlots *phong)
     Ir *ir = l->ir;
     Ref share =
         build_div(ir, build_float(ir, 2), build_add(ir, phong->exponent, build_float(ir, 2)));
-    Ref x = build_lane(ir, phong->specular, 0), y = build_lane(ir, phong->specular, 1),
-        z = build_lane(ir, phong->specular, 2);
+    Ref x = build_component(ir, phong->specular, 0), y = build_component(ir, phong->specular, 1),
+        z = build_component(ir, phong->specular, 2);
     Ref most = build_max(ir, build_max(ir, x, y), z), least = build_float(ir, LEAST_TINT);
     switch (slot) {
     case SLOT_normal:

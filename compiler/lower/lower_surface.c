@@ -34,15 +34,15 @@ Answer lower_Graytone(Lower *l, const Node *node, Group group, const Env *env)
     return constant(l, lower_param(l, node_param(node, P_Graytone_value), TYPE_float), group);
 }
 
-static const char *const lane_name[] = {"x", "y", "z", "w"};
+static const char *const component_name[] = {"x", "y", "z", "w"};
 
 /* Returns true where floor(2 q) is odd, from the integer and the fraction of 2 q, per component:
  * edges are at integers, near which the fraction is small and good to its last bit. */
-static Ref odd_beside_edge(Lower *l, const LongCoordinate *twice, const char *lane)
+static Ref odd_beside_edge(Lower *l, const LongCoordinate *twice, const char *component)
 {
     Ir *ir = l->ir;
-    Ref whole = build_swizzle(ir, twice->whole, lane),
-        fraction = build_swizzle(ir, twice->fraction, lane);
+    Ref whole = build_swizzle(ir, twice->whole, component),
+        fraction = build_swizzle(ir, twice->fraction, component);
     Ref half = build_fract(ir, build_scale(ir, whole, 0.5));
     Ref odd = build_le(ir, build_float(ir, 0.5), half);
     return build_ne(ir, odd, build_lt(ir, fraction, build_float(ir, 0)));
@@ -57,10 +57,11 @@ static Ref odd_sum(Lower *l, Ref q)
     LongCoordinate twice;
     bool is_long = affine_coordinate(l, q, 2, &twice);
     Ref part = is_long ? 0 : build_fract(ir, q), odd = 0;
-    for (int i = 0; i < ir_lanes(ir, q); i++) {
-        const char *lane = lane_name[i];
-        Ref upper = is_long ? odd_beside_edge(l, &twice, lane)
-                            : build_le(ir, build_float(ir, 0.5), build_swizzle(ir, part, lane));
+    for (int i = 0; i < ir_components(ir, q); i++) {
+        const char *component = component_name[i];
+        Ref upper = is_long
+                        ? odd_beside_edge(l, &twice, component)
+                        : build_le(ir, build_float(ir, 0.5), build_swizzle(ir, part, component));
         odd = i ? build_ne(ir, odd, upper) : upper;
     }
     return odd;
@@ -133,7 +134,7 @@ static Answer odd_or_even(Lower *l, Answer q, double step, const Colors *colors)
 {
     Ref odd = odd_at(l, colors, q);
     Stepped map = {.at = odd_at, .map = colors, .q = q};
-    for (int i = 0; i < ir_lanes(l->ir, q.value); i++)
+    for (int i = 0; i < ir_components(l->ir, q.value); i++)
         map.step[i] = step;
     relief_step(l, odd, &map);
     return answer_either(l, odd, colors->answer[0], colors->answer[1]);
@@ -202,7 +203,7 @@ static uint32_t texture_number(Ir *ir, const IrTexture *wanted)
     return (uint32_t)ir->texture_count - 1;
 }
 
-enum { ALL_LANES = -1 };
+enum { ALL_COMPONENTS = -1 };
 
 /* A picture, the function that reads it, and the step of finite differences along u and v; 0:
  * one texel. */
@@ -210,16 +211,17 @@ typedef struct {
     IrTexture texture;
     Function function;
     double step;
-    int lane;     /* selected component, or ALL_LANES */
-    Word address; /* addressing that no sampler does */
-    bool centred; /* a texel's color is at its center */
+    int component; /* selected component, or ALL_COMPONENTS */
+    Word address;  /* addressing that no sampler does */
+    bool centred;  /* a texel's color is at its center */
 } Sampled;
 
 /* Returns the components of an image function's result. */
-static Ref lanes_of(Lower *l, const Sampled *sampled, Ref value)
+static Ref components_of(Lower *l, const Sampled *sampled, Ref value)
 {
-    return sampled->lane == ALL_LANES ? value
-                                      : build_swizzle(l->ir, value, lane_name[sampled->lane]);
+    return sampled->component == ALL_COMPONENTS
+               ? value
+               : build_swizzle(l->ir, value, component_name[sampled->component]);
 }
 
 /* Returns the picture's width and height: queried from the sampler where possible, so that
@@ -268,15 +270,16 @@ static Ref beyond_of(Lower *l, const Sampled *sampled, Ref uv, Ref step)
 static Ref difference(Lower *l, const Sampled *sampled, const Picture *picture, Ref uv, bool by_v)
 {
     Ir *ir = l->ir;
-    Ref zero = build_float(ir, 0), lane = build_swizzle(ir, picture->size, by_v ? "y" : "x");
+    Ref zero = build_float(ir, 0), component = build_swizzle(ir, picture->size, by_v ? "y" : "x");
     Ref h = sampled->step > 0 ? build_float(ir, sampled->step)
-                              : build_div(ir, build_float(ir, 1), lane);
+                              : build_div(ir, build_float(ir, 1), component);
     Ref step = by_v ? build_vec(ir, TYPE_vec2, zero, h) : build_vec(ir, TYPE_vec2, h, zero);
     Ref beyond = beyond_of(l, sampled, uv, step);
-    Ref here = lanes_of(l, sampled, area_picture_near(l, picture, uv, uv));
-    Ref there = lanes_of(l, sampled, area_picture_near(l, picture, beyond, uv));
+    Ref here = components_of(l, sampled, area_picture_near(l, picture, uv, uv));
+    Ref there = components_of(l, sampled, area_picture_near(l, picture, beyond, uv));
     Ref rise = build_sub(ir, there, here);
-    return sampled->step > 0 ? build_scale(ir, rise, 1 / sampled->step) : build_mul(ir, rise, lane);
+    return sampled->step > 0 ? build_scale(ir, rise, 1 / sampled->step)
+                             : build_mul(ir, rise, component);
 }
 
 /* Returns the slope over a step of one texel, from eight texels instead of three samples where
@@ -285,16 +288,16 @@ static Ref sampled_slope(Lower *l, const Sampled *sampled, const Picture *pictur
                          bool by_v)
 {
     Ir *ir = l->ir;
-    const bool all = sampled->lane == ALL_LANES;
+    const bool all = sampled->component == ALL_COMPONENTS;
     Ref slope[4], by[2];
     for (int i = 0; i < 2; i++)
         by[i] = difference(l, sampled, picture, uv, i);
     for (int i = 0; i < (all ? 4 : 1); i++) {
-        Ref shown = build_vec(ir, TYPE_vec2, build_swizzle(ir, by[0], lane_name[i]),
-                              build_swizzle(ir, by[1], lane_name[i]));
+        Ref shown = build_vec(ir, TYPE_vec2, build_swizzle(ir, by[0], component_name[i]),
+                              build_swizzle(ir, by[1], component_name[i]));
         Ref rise = sampled->step > 0
                        ? 0
-                       : area_picture_rise(l, picture, uv, all ? i : sampled->lane, shown);
+                       : area_picture_rise(l, picture, uv, all ? i : sampled->component, shown);
         if (!rise)
             return by[by_v];
         slope[i] = build_swizzle(ir, rise, by_v ? "y" : "x");
@@ -312,7 +315,7 @@ static Ref sample_group(Lower *l, const Sampled *sampled, Ref uv, Group group)
         uv = build_sub(l->ir, uv, build_div(l->ir, build_all(l->ir, TYPE_vec2, 0.5), picture.size));
     if (is_derivative(group))
         return lower_as_group(l, sampled_slope(l, sampled, &picture, uv, group == GROUP_DV), group);
-    Ref value = lanes_of(l, sampled, area_picture(l, &picture, uv));
+    Ref value = components_of(l, sampled, area_picture(l, &picture, uv));
     if (l->relief) {
         Ref by_u = sampled_slope(l, sampled, &picture, uv, false),
             by_v = sampled_slope(l, sampled, &picture, uv, true);
@@ -328,10 +331,11 @@ static bool is_word(const Node *node, int param, Word word)
 }
 
 /* Returns the component that the parameter `channel` selects. */
-static int channel_lane(const Node *node)
+static int channel_component(const Node *node)
 {
     const Value *value = node_param(node, P_ImageMap_channel);
-    return value->kind == VALUE_number ? (int)value->number[0] - (int)WORD_Channel_r : ALL_LANES;
+    return value->kind == VALUE_number ? (int)value->number[0] - (int)WORD_Channel_r
+                                       : ALL_COMPONENTS;
 }
 
 /* Returns the texel format. An encoding that no texture of the target decodes is decoded to 16
@@ -386,7 +390,7 @@ static Sampled sampled_image(Lower *l, const Node *node, const Image *picture, R
     return (Sampled){
         .texture = texture,
         .function = function,
-        .lane = channel_lane(node),
+        .component = channel_component(node),
         .address = is_sampled(function) && texture.wrap == address ? WORD_Address_repeat : address,
         .centred = bilinear[0] != 0 && is_word(node, P_ImageMap_texels, WORD_Texels_centre),
     };
@@ -406,7 +410,7 @@ Answer lower_ImageMap(Lower *l, const Node *node, Group group, const Env *env)
         return constant(l, build_float(ir, 1), group);
     const Sampled sampled = sampled_image(l, node, image->image, uv);
     Ref value = sample_group(l, &sampled, uv, group);
-    if (group == GROUP_R && opaque && sampled.lane == ALL_LANES)
+    if (group == GROUP_R && opaque && sampled.component == ALL_COMPONENTS)
         value = build_vec(ir, TYPE_vec4, build_swizzle(ir, value, "xyz"), build_float(ir, 1));
     return answer_of(value);
 }
@@ -428,8 +432,8 @@ Answer lower_Carpenter(Lower *l, const Node *node, Group group, const Env *env)
                                .node = node,
                                .width = (int)width[0],
                                .height = (int)height[0]};
-    return answer_of(sample_group(
-        l,
-        &(Sampled){texture, FN_carpenterRelief, row->step, ALL_LANES, WORD_Address_repeat, false},
-        uv, group));
+    return answer_of(sample_group(l,
+                                  &(Sampled){texture, FN_carpenterRelief, row->step, ALL_COMPONENTS,
+                                             WORD_Address_repeat, false},
+                                  uv, group));
 }

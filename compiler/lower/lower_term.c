@@ -14,37 +14,39 @@
 
 static const double LEAST_DIVISOR = 1e-30, LEAST_BASE = 1e-37, GREATEST_POWER = 1e37;
 
-static const char *const lane_name[] = {"x", "y", "z", "w"};
+static const char *const component_name[] = {"x", "y", "z", "w"};
 
 static Type wider(const Ir *ir, Ref a, Ref b)
 {
-    return ir_lanes(ir, a) > ir_lanes(ir, b) ? ir_type(ir, a) : ir_type(ir, b);
+    return ir_components(ir, a) > ir_components(ir, b) ? ir_type(ir, a) : ir_type(ir, b);
 }
 
 /* Applies a function of numbers to every component. */
 typedef Ref OfNumbers(Lower *l, const Ref *x);
-static Ref by_lanes(Lower *l, OfNumbers *of, const Ref *args, int count)
+static Ref by_components(Lower *l, OfNumbers *of, const Ref *args, int count)
 {
     Ir *ir = l->ir;
     Type type = TYPE_float;
-    Ref lane[4], x[3];
+    Ref component[4], x[3];
     for (int i = 0; i < count; i++)
-        type = type_table[type].lanes > ir_lanes(ir, args[i]) ? type : ir_type(ir, args[i]);
+        type =
+            type_table[type].components > ir_components(ir, args[i]) ? type : ir_type(ir, args[i]);
     if (type == TYPE_float)
         return of(l, args);
-    for (int k = 0; k < type_table[type].lanes; k++) {
+    for (int k = 0; k < type_table[type].components; k++) {
         for (int i = 0; i < count; i++)
-            x[i] = ir_lanes(ir, args[i]) == 1 ? args[i] : build_swizzle(ir, args[i], lane_name[k]);
-        lane[k] = of(l, x);
+            x[i] = ir_components(ir, args[i]) == 1 ? args[i]
+                                                   : build_swizzle(ir, args[i], component_name[k]);
+        component[k] = of(l, x);
     }
-    return build_vec_of(ir, type, lane, type_table[type].lanes);
+    return build_vec_of(ir, type, component, type_table[type].components);
 }
 
 /* Returns true for a constant whose components are all far from 0. */
 static bool is_far_from_zero(const Ir *ir, Ref a)
 {
     const double *known = ir_is(ir, a, OP_const) ? ir_numbers(ir, a) : NULL;
-    for (int i = 0; known && i < ir_lanes(ir, a); i++)
+    for (int i = 0; known && i < ir_components(ir, a); i++)
         if (fabs(known[i]) < LEAST_DIVISOR)
             return false;
     return known != NULL;
@@ -80,9 +82,9 @@ static Ref quotient_by_number(Lower *l, const Ref *x)
 
 static Ref quotient(Lower *l, const Ref *x)
 {
-    if (ir_lanes(l->ir, x[1]) == 1 || is_far_from_zero(l->ir, x[1]))
+    if (ir_components(l->ir, x[1]) == 1 || is_far_from_zero(l->ir, x[1]))
         return quotient_by_number(l, x);
-    return by_lanes(l, quotient_by_number, x, 2);
+    return by_components(l, quotient_by_number, x, 2);
 }
 
 static Ref remainder_by_number(Lower *l, const Ref *x)
@@ -94,9 +96,9 @@ static Ref remainder_by_number(Lower *l, const Ref *x)
 
 static Ref remainder_of(Lower *l, const Ref *x)
 {
-    if (ir_lanes(l->ir, x[1]) == 1 || is_far_from_zero(l->ir, x[1]))
+    if (ir_components(l->ir, x[1]) == 1 || is_far_from_zero(l->ir, x[1]))
         return remainder_by_number(l, x);
-    return by_lanes(l, remainder_by_number, x, 2);
+    return by_components(l, remainder_by_number, x, 2);
 }
 
 /* Clamps the base so that its power by a constant is within GREATEST_POWER; an infinity never
@@ -120,7 +122,7 @@ static Ref power(Lower *l, const Ref *x)
     const bool minus = ir_is(ir, x[1], OP_neg);
     const Ref number = minus ? ir_arg(ir, x[1], 0) : x[1];
     const double by =
-        ir_is(ir, number, OP_const) && ir_lanes(ir, number) == 1 ? *ir_numbers(ir, number) : 0;
+        ir_is(ir, number, OP_const) && ir_components(ir, number) == 1 ? *ir_numbers(ir, number) : 0;
     if (by != 0)
         return power_by_number(l, x[0], x[1], minus ? -by : by);
     Ref raised = build_pow(ir, build_max(ir, x[0], build_float(ir, LEAST_BASE)), x[1]);
@@ -133,7 +135,8 @@ static Ref bounded(Lower *l, const Ref *x)
     Ir *ir = l->ir;
     const double *low = ir_is(ir, x[1], OP_const) ? ir_numbers(ir, x[1]) : NULL;
     const double *high = ir_is(ir, x[2], OP_const) ? ir_numbers(ir, x[2]) : NULL;
-    if (low && high && ir_lanes(ir, x[1]) == 1 && ir_lanes(ir, x[2]) == 1 && *low <= *high)
+    if (low && high && ir_components(ir, x[1]) == 1 && ir_components(ir, x[2]) == 1 &&
+        *low <= *high)
         return build_clamp_of(ir, x);
     return build_min(ir, build_max(ir, x[0], x[1]), x[2]);
 }
@@ -159,12 +162,12 @@ static Ref smooth(Lower *l, Ref t)
 }
 
 /* Combines all components by a binary operation, from the first to the last. */
-static Ref over_lanes(Lower *l, Op op, Ref a)
+static Ref over_components(Lower *l, Op op, Ref a)
 {
     Ir *ir = l->ir;
-    Ref result = ir_lanes(ir, a) > 1 ? build_swizzle(ir, a, lane_name[0]) : a;
-    for (int i = 1; i < ir_lanes(ir, a); i++)
-        result = build_binary(ir, op, result, build_swizzle(ir, a, lane_name[i]));
+    Ref result = ir_components(ir, a) > 1 ? build_swizzle(ir, a, component_name[0]) : a;
+    for (int i = 1; i < ir_components(ir, a); i++)
+        result = build_binary(ir, op, result, build_swizzle(ir, a, component_name[i]));
     return result;
 }
 
@@ -180,9 +183,9 @@ static Ref dot(Lower *l, const Ref *x)
 static Ref average(Lower *l, Ref a)
 {
     Ir *ir = l->ir;
-    return ir_lanes(ir, a) == 1
+    return ir_components(ir, a) == 1
                ? a
-               : build_dot(ir, a, build_all(ir, ir_type(ir, a), 1.0 / ir_lanes(ir, a)));
+               : build_dot(ir, a, build_all(ir, ir_type(ir, a), 1.0 / ir_components(ir, a)));
 }
 
 static Ref turned(Lower *l, const Ref *x)
@@ -213,7 +216,7 @@ static Ref hsv(Lower *l, Ref rgb)
     Ir *ir = l->ir;
     Ref r = build_swizzle(ir, rgb, "x"), g = build_swizzle(ir, rgb, "y"),
         b = build_swizzle(ir, rgb, "z");
-    Ref most = over_lanes(l, OP_max, rgb), spread = SUB(most, over_lanes(l, OP_min, rgb));
+    Ref most = over_components(l, OP_max, rgb), spread = SUB(most, over_components(l, OP_min, rgb));
     Ref by_r = SUB(g, b), by_g = SUB(b, r), by_b = SUB(r, g);
     Ref is_r = build_eq(ir, most, r), is_g = build_eq(ir, most, g);
     Ref difference = build_select(ir, is_r, by_r, build_select(ir, is_g, by_g, by_b));
@@ -272,14 +275,14 @@ static Ref count(Lower *l, Ref number)
 static Ref each(Lower *l, Function function, Ref a)
 {
     Ir *ir = l->ir;
-    Ref lane[4];
-    if (ir_lanes(ir, a) == 1)
+    Ref component[4];
+    if (ir_components(ir, a) == 1)
         return build_call(ir, function, a);
-    for (int i = 0; i < ir_lanes(ir, a); i++) {
-        lane[i] = build_swizzle(ir, a, lane_name[i]);
-        lane[i] = build_call(ir, function, lane[i]);
+    for (int i = 0; i < ir_components(ir, a); i++) {
+        component[i] = build_swizzle(ir, a, component_name[i]);
+        component[i] = build_call(ir, function, component[i]);
     }
-    return build_vec_of(ir, ir_type(ir, a), lane, ir_lanes(ir, a));
+    return build_vec_of(ir, ir_type(ir, a), component, ir_components(ir, a));
 }
 
 /* Returns b where the condition holds, else c, in the wider of both types. */
@@ -344,9 +347,9 @@ static Ref worley(Lower *l, Ref p)
 #define POWER(a, b)                power(l, REFS(ir, a, b))
 #define SHARE(a, b, c)             share(l, REFS(ir, a, b, c))
 #define SMOOTH(t)                  smooth(l, t)
-#define LANES(op, a)               over_lanes(l, OP_##op, a)
+#define COMPONENTS(op, a)          over_components(l, OP_##op, a)
 #define DOT(a, b)                  dot(l, REFS(ir, a, b))
-#define LENGTH(a)                  (ir_lanes(ir, a) == 1 ? build_abs(ir, a) : build_length(ir, a))
+#define LENGTH(a)                  (ir_components(ir, a) == 1 ? build_abs(ir, a) : build_length(ir, a))
 #define AVERAGE(a)                 average(l, a)
 #define UNIT(a)                    build_call(ir, FN_safeNormalize, three(l, a))
 #define TURNED(a, b)               turned(l, REFS(ir, a, b))

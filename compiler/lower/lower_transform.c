@@ -145,7 +145,7 @@ static void rotation(Lower *l, int axis, Ref angle, Ref m[3][3])
 static void component_matrix(Lower *l, const Transform *transform, Ref m[3][3])
 {
     Ir *ir = l->ir;
-    static const char *const lane[] = {"x", "y", "z"};
+    static const char *const component[] = {"x", "y", "z"};
     Ref angles = lower_param(l, &transform->rotation, TYPE_vec3), turn[3][3], before[3][3];
     Ref scale = lower_param(l, &transform->scale, TYPE_vec3),
         shear = lower_param(l, &transform->shear, TYPE_vec3);
@@ -155,9 +155,9 @@ static void component_matrix(Lower *l, const Transform *transform, Ref m[3][3])
     m[1][2] = build_swizzle(ir, shear, "z");
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < 3; k++)
-            m[i][k] = build_mul(ir, m[i][k], build_swizzle(ir, scale, lane[i]));
+            m[i][k] = build_mul(ir, m[i][k], build_swizzle(ir, scale, component[i]));
     for (int axis = 0; axis < 3; axis++) {
-        rotation(l, axis, build_swizzle(ir, angles, lane[axis]), turn);
+        rotation(l, axis, build_swizzle(ir, angles, component[axis]), turn);
         for (int i = 0; i < 9; i++)
             before[i / 3][i % 3] = m[i / 3][i % 3];
         matrix_product(l, turn, before, m);

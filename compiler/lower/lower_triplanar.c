@@ -40,10 +40,10 @@ static int place_number(Lower *l, Place place)
  * total. */
 static Env projected_env(Lower *l, const Env *env, Answer p, int axis)
 {
-    static const char *const lanes[AXES] = {"yz", "xz", "xy"};
+    static const char *const components[AXES] = {"yz", "xz", "xy"};
     Env made = *env;
-    made.root[GROUP_U] = build_vec(l->ir, TYPE_vec3, build_swizzle(l->ir, p.value, lanes[axis]),
-                                   build_float(l->ir, 0));
+    made.root[GROUP_U] = build_vec(
+        l->ir, TYPE_vec3, build_swizzle(l->ir, p.value, components[axis]), build_float(l->ir, 0));
     made.number = (place_number(l, (Place){made.root[GROUP_U], env->number}) + 1) * PLACE_STRIDE +
                   env->number % PLACE_STRIDE;
     return made;
@@ -70,7 +70,7 @@ static Ref weights_of(Lower *l, Ref p, Ref sharpness)
 
 Answer lower_Triplanar(Lower *l, const Node *node, Group group, const Env *env)
 {
-    static const char *const lane[AXES] = {"x", "y", "z"};
+    static const char *const component[AXES] = {"x", "y", "z"};
     Ir *ir = l->ir;
     if (!projected_map(node, 0))
         return answer_as_group(l, answer_of(build_float(ir, 0)), group);
@@ -86,7 +86,7 @@ Answer lower_Triplanar(Lower *l, const Node *node, Group group, const Env *env)
             i ? answer_common_type(type, ir_type(ir, side[i].value)) : ir_type(ir, side[i].value);
     }
     for (int i = 0; i < AXES; i++) {
-        const Ref share = build_swizzle(ir, weight, lane[i]);
+        const Ref share = build_swizzle(ir, weight, component[i]);
         Answer own = answer_widened(l, side[i], type);
         const bool shared = side[i].value == side[(i + 1) % AXES].value ||
                             side[i].value == side[(i + 2) % AXES].value;

@@ -30,29 +30,30 @@ static Ref number(Lower *l, Ref value)
 
 /* Returns the forward difference (f(q + h e) - f(q)) / h, e along one component. f has period 1,
  * so integers are dropped first: far from the origin the step would be lost to rounding. */
-static Ref difference(Lower *l, Ref value, const Stepped *map, int lane)
+static Ref difference(Lower *l, Ref value, const Stepped *map, int component)
 {
     Ir *ir = l->ir;
     const Type type = ir_type(ir, map->q.value);
     double step[4] = {0};
-    step[lane] = map->step[lane];
+    step[component] = map->step[component];
     Answer beyond = map->q;
     beyond.value = build_add(ir, build_fract(ir, map->q.value), ir_const(ir, type, step));
     Ref there = number(l, map->at(l, map->map, beyond));
-    return build_scale(ir, build_sub(ir, there, number(l, value)), 1 / map->step[lane]);
+    return build_scale(ir, build_sub(ir, there, number(l, value)), 1 / map->step[component]);
 }
 
 void relief_rise(Lower *l, Ref value, Ref q, const Ref rate[3])
 {
     Ir *ir = l->ir;
-    static const char *const lane_name[] = {"x", "y", "z"};
+    static const char *const component_name[] = {"x", "y", "z"};
     static const Direction directions[] = {DIRECTION_u, DIRECTION_v};
     for (int d = 0; d < 2 && !ir_is(ir, value, OP_const); d++) {
         Ref change = slope_of(l, q, directions[d]), slope = 0;
-        for (int i = 0; change && i < ir_lanes(ir, q); i++)
+        for (int i = 0; change && i < ir_components(ir, q); i++)
             if (rate[i])
-                slope = build_plus(ir, slope,
-                                   build_mul(ir, rate[i], build_swizzle(ir, change, lane_name[i])));
+                slope = build_plus(
+                    ir, slope,
+                    build_mul(ir, rate[i], build_swizzle(ir, change, component_name[i])));
         slope_set(l, value, directions[d], slope);
     }
 }

@@ -10,7 +10,7 @@
 #include "compiler/ir/build_words.h"
 #include <string.h>
 
-enum { UNKNOWN = 0, LANE_OPERANDS = 3 };
+enum { UNKNOWN = 0, COMPONENT_OPERANDS = 3 };
 static const Ref FLAT = UINT32_MAX; /* memo entry: constant along the direction */
 
 static Ref *memo_of(Lower *l, Ref value, Direction direction)
@@ -27,7 +27,7 @@ void slope_set(Lower *l, Ref value, Direction direction, Ref slope)
 /* Repeats a scalar derivative over all components of a vector. */
 static Ref widened(Ir *ir, Ref value, Type type)
 {
-    return value && type_table[type].lanes > 1 ? build_splat(ir, value, type) : value;
+    return value && type_table[type].components > 1 ? build_splat(ir, value, type) : value;
 }
 
 /* Selects a where the mask is 1, and b where it is 0. */
@@ -62,7 +62,7 @@ static Ref operand(const Ir *ir, Ref ref, int i)
 }
 
 /* Returns the derivative of an operation that works per component: the SLOPE lines of ops.def. */
-static Ref lanes_slope(Ir *ir, Ref r, const Ref *slopes)
+static Ref components_slope(Ir *ir, Ref r, const Ref *slopes)
 {
     Ref a = operand(ir, r, 0), b = operand(ir, r, 1), c = operand(ir, r, 2);
     Ref da = slopes[0], db = slopes[1], dc = slopes[2];
@@ -89,7 +89,7 @@ static Ref vec_slope(Ir *ir, Ref ref, const Ref *slopes)
 
 static Ref swizzle_slope(Ir *ir, Ref ref, const Ref *slopes)
 {
-    return build_lanes(ir, slopes[0], ir_at(ir, ref)->payload, ir_lanes(ir, ref));
+    return build_components(ir, slopes[0], ir_at(ir, ref)->payload, ir_components(ir, ref));
 }
 
 /* Returns the derivative of a select. A condition with a finite difference (relief.c) counts as
@@ -208,7 +208,7 @@ static Ref call_slope(Ir *ir, Ref ref, const Ref *slopes)
             return 0;
         return build_dot(ir,
                          build_swizzle(ir, call_sibling(ir, row, args, node.count, 0),
-                                       ir_lanes(ir, d) == 2 ? "xy" : "xyz"),
+                                       ir_components(ir, d) == 2 ? "xy" : "xyz"),
                          d);
     case SLOPE_along:
         return d ? call_sibling(ir, row, args, node.count, d) : 0;
@@ -276,12 +276,12 @@ static Ref input_slope(Lower *l, Ref ref, Direction direction)
     return 0;
 }
 
-/* Finds the derivatives of the operands, 0 for none, at least LANE_OPERANDS of them. Returns
+/* Finds the derivatives of the operands, 0 for none, at least COMPONENT_OPERANDS of them. Returns
  * true if any operand changes. */
 static bool operand_slopes(Lower *l, Ref ref, Direction direction, Ref *slopes)
 {
     bool any = false;
-    for (int i = 0; i < LANE_OPERANDS; i++)
+    for (int i = 0; i < COMPONENT_OPERANDS; i++)
         slopes[i] = 0;
     for (int i = 0; i < ir_at(l->ir, ref)->count; i++) {
         slopes[i] = slope_of(l, ir_arg(l->ir, ref, i), direction);
@@ -317,7 +317,7 @@ static Ref differentiate(Lower *l, Ref ref, Direction direction)
         return operand_slopes(l, ref, direction, slopes) ? function(l->ir, ref, slopes) : 0;
 #define SLOPE(name, slope)                                                                         \
     case OP_##name:                                                                                \
-        return operand_slopes(l, ref, direction, slopes) ? lanes_slope(l->ir, ref, slopes) : 0;
+        return operand_slopes(l, ref, direction, slopes) ? components_slope(l->ir, ref, slopes) : 0;
 #include "grammar/ops.def"
     default:
         return 0;

@@ -21,7 +21,7 @@ static bool has_exact_inverse(const Ir *ir, Ref ref)
 {
     if (!ir_is(ir, ref, OP_const))
         return false;
-    for (int i = 0; i < ir_lanes(ir, ref); i++)
+    for (int i = 0; i < ir_components(ir, ref); i++)
         if (!power_of_two(ir_numbers(ir, ref)[i]))
             return false;
     return true;
@@ -29,19 +29,19 @@ static bool has_exact_inverse(const Ir *ir, Ref ref)
 
 static Ref inverse_of(Ir *ir, Ref ref)
 {
-    double lanes[4] = {0};
-    for (int i = 0; i < ir_lanes(ir, ref); i++)
-        lanes[i] = 1 / ir_numbers(ir, ref)[i];
-    return ir_const(ir, ir_type(ir, ref), lanes);
+    double components[4] = {0};
+    for (int i = 0; i < ir_components(ir, ref); i++)
+        components[i] = 1 / ir_numbers(ir, ref)[i];
+    return ir_const(ir, ir_type(ir, ref), components);
 }
 
 /* Returns the only nonzero component of a constant, or -1. */
-static int only_lane(const Ir *ir, Ref ref)
+static int only_component(const Ir *ir, Ref ref)
 {
     int found = -1;
     if (!ir_is(ir, ref, OP_const))
         return -1;
-    for (int i = 0; i < ir_lanes(ir, ref); i++)
+    for (int i = 0; i < ir_components(ir, ref); i++)
         if (ir_numbers(ir, ref)[i] != 0) {
             if (found >= 0)
                 return -1;
@@ -52,9 +52,9 @@ static int only_lane(const Ir *ir, Ref ref)
 
 static bool repeats_one(const Ir *ir, Ref ref)
 {
-    if (!ir_is(ir, ref, OP_vec) || ir_at(ir, ref)->count != ir_lanes(ir, ref))
+    if (!ir_is(ir, ref, OP_vec) || ir_at(ir, ref)->count != ir_components(ir, ref))
         return false;
-    for (int i = 1; i < ir_lanes(ir, ref); i++)
+    for (int i = 1; i < ir_components(ir, ref); i++)
         if (ir_arg(ir, ref, i) != ir_arg(ir, ref, 0))
             return false;
     return true;
@@ -64,30 +64,30 @@ static bool all_negative(const Ir *ir, Ref ref)
 {
     if (!ir_is(ir, ref, OP_const))
         return false;
-    for (int i = 0; i < ir_lanes(ir, ref); i++)
+    for (int i = 0; i < ir_components(ir, ref); i++)
         if (ir_numbers(ir, ref)[i] >= 0)
             return false;
     return true;
 }
 
-#define zero(x)            ir_is_number(ir, x, 0)
-#define one(x)             ir_is_number(ir, x, 1)
-#define minus_one(x)       ir_is_number(ir, x, -1)
-#define negative(x)        all_negative(ir, x)
-#define same(x, y)         ((x) == (y))
-#define is(x, op)          ir_is(ir, x, OP_##op)
-#define is_bool(x)         (ir_type(ir, x) == TYPE_bool)
-#define arg(x, i)          ir_arg(ir, x, i)
-#define all(x)             build_all(ir, type, x)
-#define spread(x)          build_splat(ir, x, type)
-#define truth(x)           build_truth(ir, x)
-#define lane(x, i)         build_lane(ir, x, i)
-#define single_lane(x)     only_lane(ir, x)
-#define repeats(x)         repeats_one(ir, x)
-#define is_mean(x)         ir_is_number(ir, x, 1.0 / ir_lanes(ir, x))
-#define out_of_order(x, y) ordered_wrongly(ir, x, y)
-#define exact_inverse(x)   has_exact_inverse(ir, x)
-#define inverse(x)         inverse_of(ir, x)
+#define zero(x)             ir_is_number(ir, x, 0)
+#define one(x)              ir_is_number(ir, x, 1)
+#define minus_one(x)        ir_is_number(ir, x, -1)
+#define negative(x)         all_negative(ir, x)
+#define same(x, y)          ((x) == (y))
+#define is(x, op)           ir_is(ir, x, OP_##op)
+#define is_bool(x)          (ir_type(ir, x) == TYPE_bool)
+#define arg(x, i)           ir_arg(ir, x, i)
+#define all(x)              build_all(ir, type, x)
+#define spread(x)           build_splat(ir, x, type)
+#define truth(x)            build_truth(ir, x)
+#define component(x, i)     build_component(ir, x, i)
+#define single_component(x) only_component(ir, x)
+#define repeats(x)          repeats_one(ir, x)
+#define is_mean(x)          ir_is_number(ir, x, 1.0 / ir_components(ir, x))
+#define out_of_order(x, y)  ordered_wrongly(ir, x, y)
+#define exact_inverse(x)    has_exact_inverse(ir, x)
+#define inverse(x)          inverse_of(ir, x)
 
 Ref opt_rewrite_algebra(Ir *ir, Ref ref, const void *user)
 {

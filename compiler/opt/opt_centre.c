@@ -12,8 +12,9 @@ static bool is_half_texel(const Ir *ir, Ref shift, Ref size)
         return ir_is_number(ir, ir_arg(ir, shift, 0), 0.5) && ir_arg(ir, shift, 1) == size;
     if (!ir_is(ir, shift, OP_const) || !ir_is(ir, size, OP_const))
         return false;
-    for (int i = 0; i < ir_lanes(ir, size); i++)
-        if (ir_numbers(ir, shift)[i < ir_lanes(ir, shift) ? i : 0] != 0.5 / ir_numbers(ir, size)[i])
+    for (int i = 0; i < ir_components(ir, size); i++)
+        if (ir_numbers(ir, shift)[i < ir_components(ir, shift) ? i : 0] !=
+            0.5 / ir_numbers(ir, size)[i])
             return false;
     return true;
 }
@@ -24,7 +25,7 @@ static Ref centre(Ir *ir, Ref ref, const void *user)
     if (!ir_is(ir, ref, OP_call) || ir_at(ir, ref)->payload != FN_imageSampled)
         return ref;
     const Ref uv = ir_arg(ir, ref, 1);
-    if (!ir_is(ir, uv, OP_sub) || ir_lanes(ir, ir_arg(ir, uv, 0)) != 2 ||
+    if (!ir_is(ir, uv, OP_sub) || ir_components(ir, ir_arg(ir, uv, 0)) != 2 ||
         !is_half_texel(ir, ir_arg(ir, uv, 1), ir_arg(ir, ref, 2)))
         return ref;
     return build_call(ir, FN_imageCentred, ir_arg(ir, ref, 0), ir_arg(ir, uv, 0));

@@ -65,10 +65,11 @@ static void compact_node(Ir *ir, IrNode node, const Numbers *numbers)
 {
     const Payload kind = (Payload)op_payload[node.op];
     if (kind == PAYLOAD_numbers) {
-        size_t lanes = (size_t)type_table[node.type].lanes;
-        memmove(&ir->numbers[ir->number_count], &ir->numbers[node.payload], lanes * sizeof(double));
+        size_t components = (size_t)type_table[node.type].components;
+        memmove(&ir->numbers[ir->number_count], &ir->numbers[node.payload],
+                components * sizeof(double));
         node.payload = (uint32_t)ir->number_count;
-        ir->number_count += lanes;
+        ir->number_count += components;
     }
     if (kind == PAYLOAD_function)
         node.payload = (uint32_t)numbers->function[node.payload];

@@ -60,46 +60,46 @@ static int trimmed(Ir *ir, int f, uint32_t read)
     return (int)ir->function_count - 1;
 }
 
-enum { ALL_LANES = 15 };
+enum { ALL_COMPONENTS = 15 };
 
 /* Returns the components of a call that a user reads, a bit each. A component that is read twice
  * counts as a read of all. */
-static uint32_t lanes_of_use(const Ir *ir, Ref user)
+static uint32_t components_of_use(const Ir *ir, Ref user)
 {
-    uint32_t lanes = 0;
+    uint32_t components = 0;
     if (!ir_is(ir, user, OP_swizzle))
-        return ALL_LANES;
-    for (int i = 0; i < ir_lanes(ir, user); i++) {
+        return ALL_COMPONENTS;
+    for (int i = 0; i < ir_components(ir, user); i++) {
         const uint32_t bit = 1u << (ir_at(ir, user)->payload >> 2 * i & 3);
-        lanes |= lanes & bit ? ALL_LANES : bit;
+        components |= components & bit ? ALL_COMPONENTS : bit;
     }
-    return lanes;
+    return components;
 }
 
-static void read_lanes(const Ir *ir, Ref value, uint32_t lanes, uint32_t *read)
+static void read_components(const Ir *ir, Ref value, uint32_t components, uint32_t *read)
 {
     if (ir_applies(ir, value))
-        read[ir_at(ir, value)->payload] |= lanes;
+        read[ir_at(ir, value)->payload] |= components;
 }
 
 /* Returns the components of each function's result that any call reads. */
-static uint32_t *lanes_read(Ir *ir, Arena *scratch)
+static uint32_t *components_read(Ir *ir, Arena *scratch)
 {
     const uint8_t *live = ir_live_kept(ir);
     uint32_t *read = ARENA_ARRAY(scratch, uint32_t, ir->function_count + 1);
     for (Ref ref = 1; ref < ir->count; ref++)
         for (int i = 0; live[ref] && i < ir_at(ir, ref)->count; i++)
-            read_lanes(ir, ir_arg(ir, ref, i), lanes_of_use(ir, ref), read);
+            read_components(ir, ir_arg(ir, ref, i), components_of_use(ir, ref), read);
     for (int i = 0; i < ir->output_count; i++)
-        read_lanes(ir, ir->outputs[i].value, ALL_LANES, read);
+        read_components(ir, ir->outputs[i].value, ALL_COMPONENTS, read);
     for (size_t f = 0; f < ir->function_count; f++)
         if (live[ir->functions[f].result])
-            read_lanes(ir, ir->functions[f].result, ALL_LANES, read);
+            read_components(ir, ir->functions[f].result, ALL_COMPONENTS, read);
     return read;
 }
 
 typedef struct {
-    const uint32_t *read, *lanes;
+    const uint32_t *read, *components;
     int *trimmed, *narrowed; /* replacement of each function, from 1; 0: none */
     size_t count;
 } Plan;
@@ -107,51 +107,51 @@ typedef struct {
 /* Converts a bit mask of components to a swizzle. */
 static uint32_t swizzle_of(uint32_t mask, int *count)
 {
-    uint32_t lanes = 0;
+    uint32_t components = 0;
     *count = 0;
-    for (uint32_t lane = 0; lane < 4; lane++)
-        if (mask >> lane & 1)
-            lanes |= lane << 2 * (*count)++;
-    return lanes;
+    for (uint32_t component = 0; component < 4; component++)
+        if (mask >> component & 1)
+            components |= component << 2 * (*count)++;
+    return components;
 }
 
 /* Creates a function with only the components of the result that are read. */
 static int narrowed(Ir *ir, int f, uint32_t mask)
 {
     int count;
-    const uint32_t lanes = swizzle_of(mask, &count);
+    const uint32_t components = swizzle_of(mask, &count);
     IrFunction function = ir->functions[f];
-    function.result = build_lanes(ir, function.result, lanes, count);
+    function.result = build_components(ir, function.result, components, count);
     ARENA_PUSH(ir->arena, ir->functions, ir->function_count, ir->function_room, function);
     return (int)ir->function_count - 1;
 }
 
 /* Rewrites f(p).z to h(p).y if only y and z of f are read. */
-static Ref simplify_lanes(Ir *ir, Ref swizzle, const Plan *plan)
+static Ref simplify_components(Ir *ir, Ref swizzle, const Plan *plan)
 {
     const Ref call = ir_arg(ir, swizzle, 0);
     IrNode node = *ir_at(ir, call);
     if (!ir_applies(ir, call) || node.payload >= plan->count)
         return swizzle;
-    const uint32_t f = node.payload, mask = plan->lanes[f], own = ir_at(ir, swizzle)->payload;
+    const uint32_t f = node.payload, mask = plan->components[f], own = ir_at(ir, swizzle)->payload;
     int count, position[4] = {0};
     swizzle_of(mask, &count);
-    if (!count || count >= ir_lanes(ir, call))
+    if (!count || count >= ir_components(ir, call))
         return swizzle;
     if (!plan->narrowed[f])
         plan->narrowed[f] = narrowed(ir, (int)f, mask) + 1;
-    for (int lane = 0, next = 0; lane < 4; lane++)
-        position[lane] = mask >> lane & 1 ? next++ : 0;
+    for (int component = 0, next = 0; component < 4; component++)
+        position[component] = mask >> component & 1 ? next++ : 0;
     Ref args[32];
     for (int i = 0; i < node.count; i++)
         args[i] = ir_arg(ir, call, i);
     node.payload = (uint32_t)plan->narrowed[f] - 1;
-    node.type = (uint8_t)build_lanes_type(count);
+    node.type = (uint8_t)build_components_type(count);
     const Ref made = ir_make(ir, node, args);
-    uint32_t lanes = 0;
-    for (int i = 0; i < ir_lanes(ir, swizzle); i++)
-        lanes |= (uint32_t)position[own >> 2 * i & 3] << 2 * i;
-    return count == 1 ? made : build_lanes(ir, made, lanes, ir_lanes(ir, swizzle));
+    uint32_t components = 0;
+    for (int i = 0; i < ir_components(ir, swizzle); i++)
+        components |= (uint32_t)position[own >> 2 * i & 3] << 2 * i;
+    return count == 1 ? made : build_components(ir, made, components, ir_components(ir, swizzle));
 }
 
 static Ref simplify(Ir *ir, Ref ref, const void *user)
@@ -159,7 +159,7 @@ static Ref simplify(Ir *ir, Ref ref, const void *user)
     const Plan *plan = user;
     IrNode node = *ir_at(ir, ref);
     if (node.op == OP_swizzle)
-        return simplify_lanes(ir, ref, plan);
+        return simplify_components(ir, ref, plan);
     if (!ir_applies(ir, ref) || node.payload >= plan->count)
         return ref;
     uint32_t f = node.payload, all = (1u << ir->functions[f].count) - 1;
@@ -185,7 +185,7 @@ bool opt_function(Ir *ir)
     if (!ir->function_count)
         return false;
     Arena *scratch = &ir->scratch;
-    Plan plan = {arguments_read(ir, scratch), lanes_read(ir, scratch),
+    Plan plan = {arguments_read(ir, scratch), components_read(ir, scratch),
                  ARENA_ARRAY(scratch, int, ir->function_count + 1),
                  ARENA_ARRAY(scratch, int, ir->function_count + 1), ir->function_count};
     bool changed = ir_sweep(ir, simplify, &plan);

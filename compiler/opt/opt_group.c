@@ -32,7 +32,7 @@ static bool is_moderate(const Ir *ir, Ref ref, double least)
 {
     if (!ir_is(ir, ref, OP_const))
         return false;
-    for (int i = 0; i < ir_lanes(ir, ref); i++)
+    for (int i = 0; i < ir_components(ir, ref); i++)
         if (!(fabs(ir_numbers(ir, ref)[i]) >= least &&
               fabs(ir_numbers(ir, ref)[i]) <= LARGEST_GROUPED))
             return false;
@@ -59,19 +59,19 @@ static bool find_term(const Ir *ir, Ref ref, Op straight, Op opposite, Term *ter
 /* Returns exactly 0 if two constants cancel up to rounding. */
 static Ref without_rounding(Ir *ir, Ref sum, Ref a, Ref b)
 {
-    double lanes[4] = {0};
+    double components[4] = {0};
     bool cancels = false;
     if (!ir_is(ir, sum, OP_const))
         return sum;
-    for (int i = 0; i < ir_lanes(ir, sum); i++) {
-        const double of_a = ir_numbers(ir, a)[ir_lanes(ir, a) > 1 ? i : 0],
-                     of_b = ir_numbers(ir, b)[ir_lanes(ir, b) > 1 ? i : 0];
+    for (int i = 0; i < ir_components(ir, sum); i++) {
+        const double of_a = ir_numbers(ir, a)[ir_components(ir, a) > 1 ? i : 0],
+                     of_b = ir_numbers(ir, b)[ir_components(ir, b) > 1 ? i : 0];
         const bool nothing =
             fabs(ir_numbers(ir, sum)[i]) <= 2 * DBL_EPSILON * (fabs(of_a) + fabs(of_b));
-        lanes[i] = nothing ? 0 : ir_numbers(ir, sum)[i];
-        cancels |= lanes[i] != ir_numbers(ir, sum)[i];
+        components[i] = nothing ? 0 : ir_numbers(ir, sum)[i];
+        cancels |= components[i] != ir_numbers(ir, sum)[i];
     }
-    return cancels ? ir_const(ir, ir_type(ir, sum), lanes) : sum;
+    return cancels ? ir_const(ir, ir_type(ir, sum), components) : sum;
 }
 
 /* Combines outer(inner(x)) to one sum: the signs of x and of the constants multiply. */

@@ -26,7 +26,7 @@ static Ref composed(Ir *ir, Ref ref)
         !ir_is(ir, b, OP_const))
         return ref;
     Ref a = ir_arg(ir, inner, 1);
-    if (!ir_is(ir, a, OP_const) || ir_lanes(ir, a) > 1 || ir_lanes(ir, b) > 1)
+    if (!ir_is(ir, a, OP_const) || ir_components(ir, a) > 1 || ir_components(ir, b) > 1)
         return ref;
     double product = ir_numbers(ir, a)[0] * ir_numbers(ir, b)[0];
     if (!(product >= 1 && product <= LARGEST_EXPONENT))
@@ -43,13 +43,13 @@ Ref opt_rewrite_power(Ir *ir, Ref ref, const void *user)
     if (ir->keep_pow && ir_is(ir, ref, OP_pow))
         return composed(ir, ref);
     if (!ir_is(ir, ref, OP_pow) || !ir_is(ir, ir_arg(ir, ref, 1), OP_const) ||
-        ir_lanes(ir, ir_arg(ir, ref, 1)) > 1)
+        ir_components(ir, ir_arg(ir, ref, 1)) > 1)
         return ref;
     Ref x = ir_arg(ir, ref, 0), one = build_float(ir, 1);
     double n = ir_numbers(ir, ir_arg(ir, ref, 1))[0];
     if (n == 0.5)
         return build_sqrt(ir, x);
-    if (n == 0 && ir_lanes(ir, x) == 1)
+    if (n == 0 && ir_components(ir, x) == 1)
         return one;
     if (n != trunc(n) || n == 0 || fabs(n) > LARGEST_EXPONENT)
         return ref;

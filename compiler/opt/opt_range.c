@@ -7,7 +7,7 @@
 #include "compiler/ir/range.h"
 #include <math.h>
 
-enum { MOST_LANES = 4 };
+enum { MOST_COMPONENTS = 4 };
 
 /* State of the sweep. */
 typedef struct {
@@ -21,12 +21,12 @@ typedef struct {
 typedef struct {
     const Ir *ir;
     const Ranges *ranges;
-    int lane;
+    int component;
 } Site;
 
 static Interval range_at(const Site *s, Ref ref)
 {
-    return range_of(s->ranges, s->ir, ref, s->lane);
+    return range_of(s->ranges, s->ir, ref, s->component);
 }
 
 /* True if a value is certainly in [low, high]; for a rounded value with a margin for rounding
@@ -46,13 +46,13 @@ static bool lies_within(const Site *s, Ref ref, double low, double high)
 #define spread(x)              build_splat(ir, x, (Type)node.type)
 
 /* Max number of components of a node and its operands. */
-static int lanes_at(const Ir *ir, Ref ref)
+static int components_at(const Ir *ir, Ref ref)
 {
-    int lanes = ir_lanes(ir, ref);
+    int components = ir_components(ir, ref);
     for (int i = 0; i < ir_at(ir, ref)->count; i++)
-        if (ir_lanes(ir, ir_arg(ir, ref, i)) > lanes)
-            lanes = ir_lanes(ir, ir_arg(ir, ref, i));
-    return lanes;
+        if (ir_components(ir, ir_arg(ir, ref, i)) > components)
+            components = ir_components(ir, ir_arg(ir, ref, i));
+    return components;
 }
 
 /* A function's result also precedes its calls. */
@@ -81,19 +81,19 @@ static const bool *find_steps(Ir *ir, Ref count)
 static Ref only_value(Ir *ir, Ref ref, const Known *known)
 {
     const Type type = ir_type(ir, ref);
-    double lanes[MOST_LANES] = {0};
+    double components[MOST_COMPONENTS] = {0};
     if (type < TYPE_float || type > TYPE_vec4 || ir_is(ir, ref, OP_const) ||
         ref >= known->ranges->count)
         return ref;
-    for (int i = 0; i < ir_lanes(ir, ref); i++) {
+    for (int i = 0; i < ir_components(ir, ref); i++) {
         const Interval range = range_of(known->ranges, ir, ref, i);
         if (!is_point(range))
             return ref;
-        lanes[i] = range.low;
+        components[i] = range.low;
     }
     if (!*known->steps)
         *known->steps = find_steps(ir, known->ranges->count);
-    return (*known->steps)[ref] ? ref : ir_const(ir, type, lanes);
+    return (*known->steps)[ref] ? ref : ir_const(ir, type, components);
 }
 
 /* The BOUND rows of rules.def. */
@@ -102,15 +102,15 @@ static Ref decide(Ir *ir, Ref ref, const void *user)
     const Known *known = user;
     Site site = {ir, known->ranges, 0};
     bool holds; /* all components satisfy the condition */
-    int lanes;
+    int components;
     const IrNode node = *ir_at(ir, ref);
     Ref a = node.count > 0 ? ir_arg(ir, ref, 0) : 0, b = node.count > 1 ? ir_arg(ir, ref, 1) : 0;
     Ref c = node.count > 2 ? ir_arg(ir, ref, 2) : 0, found;
     switch (node.op) {
 #define ON(op) case OP_##op:
 #define BOUND(condition, result, why)                                                              \
-    for (holds = true, lanes = lanes_at(ir, ref), site.lane = 0; holds && site.lane < lanes;       \
-         site.lane++)                                                                              \
+    for (holds = true, components = components_at(ir, ref), site.component = 0;                    \
+         holds && site.component < components; site.component++)                                   \
         holds = (condition);                                                                       \
     if (holds && ir_type(ir, found = (result)) == (Type)node.type)                                 \
         return found;
@@ -131,7 +131,7 @@ bool opt_range(Ir *ir)
     const bool *steps = NULL;
     if (!ir->ranges) {
         ir->ranges = ARENA_NEW(&ir->kept, Ranges);
-        ir->ranges->lanes = MOST_LANES;
+        ir->ranges->components = MOST_COMPONENTS;
     }
     range_find_live(ir->ranges, ir, &ir->kept, live);
     const Known known = {ir->ranges, &steps};

@@ -21,18 +21,20 @@ static Ref bound(Ir *ir, Ref ref, const void *user)
     (void)user;
     const IrNode node = *ir_at(ir, ref);
     int function = bounded_function((Op)node.op);
-    const int lanes = type_table[node.type].lanes;
-    Ref lane[4];
+    const int components = type_table[node.type].components;
+    Ref component[4];
     if (function < 0)
         return ref;
-    for (int k = 0; k < lanes; k++) {
+    for (int k = 0; k < components; k++) {
         Ref args[2];
         for (int i = 0; i < node.count; i++)
-            args[i] = ir_lanes(ir, ir_arg(ir, ref, i)) == 1 ? ir_arg(ir, ref, i)
-                                                            : build_lane(ir, ir_arg(ir, ref, i), k);
-        lane[k] = build_call_of(ir, function, args, node.count);
+            args[i] = ir_components(ir, ir_arg(ir, ref, i)) == 1
+                          ? ir_arg(ir, ref, i)
+                          : build_component(ir, ir_arg(ir, ref, i), k);
+        component[k] = build_call_of(ir, function, args, node.count);
     }
-    return lanes == 1 ? lane[0] : build_vec_of(ir, (Type)node.type, lane, lanes);
+    return components == 1 ? component[0]
+                           : build_vec_of(ir, (Type)node.type, component, components);
 }
 
 bool opt_trigonometry(Ir *ir) { return ir_sweep(ir, bound, NULL); }

@@ -22,7 +22,7 @@ void oracle_surface_default(Surface *surface)
  * are always 0. */
 static bool on_surface(const ChannelRow *row)
 {
-    return row->group != GROUP_R && !(row->group == GROUP_U && row->lane == 2);
+    return row->group != GROUP_R && !(row->group == GROUP_U && row->component == 2);
 }
 
 bool oracle_surface_set(Surface *surface, const char *name, double value)
@@ -33,7 +33,7 @@ bool oracle_surface_set(Surface *surface, const char *name, double value)
             continue;
         if (!on_surface(row))
             return false;
-        surface->root[channel_id(row->group, row->lane)] = value;
+        surface->root[channel_id(row->group, row->component)] = value;
         return true;
     }
     return false;
@@ -46,17 +46,18 @@ bool oracle_surface_attribute(const Graph *graph, Surface *surface, const char *
     const size_t size = point ? (size_t)(point - name) : strlen(name);
     for (int i = 0; i < graph->attribute_count; i++) {
         const MeshAttribute *attribute = graph->attributes[i];
-        const int lanes = type_table[attribute->type].lanes;
+        const int components = type_table[attribute->type].components;
         bool set = false;
         if (strlen(attribute->name) != size || memcmp(attribute->name, name, size) != 0)
             continue;
-        for (int lane = 0; lane < lanes; lane++) {
-            const bool meant = point && point[1] && !point[2] &&
-                               (point[1] == letters[0][lane] || point[1] == letters[1][lane]);
+        for (int component = 0; component < components; component++) {
+            const bool meant =
+                point && point[1] && !point[2] &&
+                (point[1] == letters[0][component] || point[1] == letters[1][component]);
             if (point && !meant)
                 continue;
-            surface->attributes[i][lane] = value;
-            surface->has |= 1u << (4 * i + lane);
+            surface->attributes[i][component] = value;
+            surface->has |= 1u << (4 * i + component);
             set = true;
         }
         return set;
@@ -150,22 +151,22 @@ double oracle_ask_input(Environment *environment, const Node *node, int channel)
 
 void oracle_ask_input3(Environment *environment, const Node *node, Group group, double result[3])
 {
-    for (int lane = 0; lane < 3; lane++)
-        result[lane] = oracle_ask_input(environment, node, channel_id(group, lane));
+    for (int component = 0; component < 3; component++)
+        result[component] = oracle_ask_input(environment, node, channel_id(group, component));
 }
 
 double oracle_float(const Value *value)
 {
-    double lanes[4];
-    value_number(value, TYPE_float, lanes);
-    return lanes[0];
+    double components[4];
+    value_number(value, TYPE_float, components);
+    return components[0];
 }
 
 void oracle_vec3(const Value *value, double result[3])
 {
-    double lanes[4];
-    value_number(value, TYPE_vec3, lanes);
-    memcpy(result, lanes, 3 * sizeof *result);
+    double components[4];
+    value_number(value, TYPE_vec3, components);
+    memcpy(result, components, 3 * sizeof *result);
 }
 
 double oracle_number(const Node *node, int param) { return oracle_float(node_param(node, param)); }

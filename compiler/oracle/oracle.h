@@ -8,9 +8,12 @@
 #include "compiler/graph/graph.h"
 #include "compiler/library/reference.h"
 
-enum { CHANNEL_ID_COUNT = LANES_OF_GROUP * GROUP_COUNT };
+enum { CHANNEL_ID_COUNT = COMPONENTS_OF_GROUP * GROUP_COUNT };
 
-static inline int channel_id(Group group, int lane) { return LANES_OF_GROUP * (int)group + lane; }
+static inline int channel_id(Group group, int component)
+{
+    return COMPONENTS_OF_GROUP * (int)group + component;
+}
 
 /* The shaded surface point. */
 typedef struct {
@@ -41,7 +44,8 @@ bool oracle_surface_set(Surface *surface, const char *name, double value);
 bool oracle_surface_attribute(const Graph *graph, Surface *surface, const char *name, double value);
 
 typedef struct {
-    double lane[SLOT_COUNT][4]; /* components of slot_table[slot].type; the rest 0; unclamped */
+    double component[SLOT_COUNT]
+                    [4]; /* components of slot_table[slot].type; the rest 0; unclamped */
 } SlotValues;
 
 /* State shared by the points of one document: baked textures and the memo. Not thread-safe. */

@@ -49,7 +49,7 @@ static const double CELLS_STEP = 0.05;
 
 double oracle_Cells(Environment *environment, const Node *node, int channel)
 {
-    if (lane_of(channel) == 3)
+    if (component_of(channel) == 3)
         return 1;
     const Cells cells = {environment, node, oracle_number(node, P_Cells_dimensions) >= 3 ? 3 : 2,
                          word_of(node, P_Cells_value, WORD_CellsValue_random) == 0};
@@ -68,7 +68,7 @@ double oracle_CellCentre(Environment *environment, const Node *node, int channel
 {
     const Group group = group_of(channel);
     static const int functions[] = {FN_cells2Centre, FN_cells3Centre};
-    if (!in_triple(channel, GROUP_X) && !(in_triple(channel, GROUP_U) && lane_of(channel) < 2))
+    if (!in_triple(channel, GROUP_X) && !(in_triple(channel, GROUP_U) && component_of(channel) < 2))
         return oracle_ask_input(environment, node, channel);
     const Question about = {group == GROUP_U ? 2 : 3, oracle_number(node, P_CellCentre_jitter),
                             word_of(node, P_CellCentre_distance, WORD_Distance_euclidean), 0};
@@ -77,5 +77,5 @@ double oracle_CellCentre(Environment *environment, const Node *node, int channel
     ask(environment, functions, &about, q, point);
     for (int i = 0; i < about.dimensions; i++)
         memo_set(environment, node, channel_id(group, i), point[i]);
-    return point[lane_of(channel)];
+    return point[component_of(channel)];
 }

@@ -12,12 +12,14 @@ static void solid_heights(Environment *environment, const Displacement *d, doubl
                           double heights[ORACLE_HEIGHTS])
 {
     const double scale = oracle_float(d->scale);
-    for (int lane = 0; lane < ORACLE_HEIGHTS; lane++)
-        heights[lane] = fmax(-bound, fmin(bound, scale * oracle_ask(environment, d->volume->node,
-                                                                    channel_id(GROUP_R, lane))));
-    for (int lane = 0; d->threshold->kind != VALUE_none && lane < ORACLE_HEIGHTS; lane += 2)
-        if (heights[lane] < oracle_float(d->threshold))
-            heights[lane + 1] = heights[lane];
+    for (int component = 0; component < ORACLE_HEIGHTS; component++)
+        heights[component] =
+            fmax(-bound, fmin(bound, scale * oracle_ask(environment, d->volume->node,
+                                                        channel_id(GROUP_R, component))));
+    for (int component = 0; d->threshold->kind != VALUE_none && component < ORACLE_HEIGHTS;
+         component += 2)
+        if (heights[component] < oracle_float(d->threshold))
+            heights[component + 1] = heights[component];
 }
 
 /* Sets the displacement along dP/du, dP/dv and the normal. */
@@ -31,23 +33,24 @@ void oracle_move_by(Environment *environment, const Node *displaced, double move
         return;
     }
     move[ORACLE_HEIGHTS - 1] = 0;
-    for (int lane = 0; lane < 3; lane++)
-        move[lane] = d.vector->kind == VALUE_node ? scale * oracle_ask(environment, d.vector->node,
-                                                                       channel_id(GROUP_R, lane))
-                                                  : 0;
+    for (int component = 0; component < 3; component++)
+        move[component] =
+            d.vector->kind == VALUE_node
+                ? scale * oracle_ask(environment, d.vector->node, channel_id(GROUP_R, component))
+                : 0;
     if (d.height->kind == VALUE_node)
         move[ALONG_N] += scale * oracle_ask(environment, d.height->node, channel_id(GROUP_R, 0));
-    for (int lane = 0; lane < 3; lane++)
-        size += fabs(move[lane]);
-    for (int lane = 0; lane < 3 && size > bound; lane++)
-        move[lane] *= bound / size;
+    for (int component = 0; component < 3; component++)
+        size += fabs(move[component]);
+    for (int component = 0; component < 3 && size > bound; component++)
+        move[component] *= bound / size;
 }
 
-static double lane_of_move(Environment *environment, const Node *displaced, int lane)
+static double component_of_move(Environment *environment, const Node *displaced, int component)
 {
     double move[ORACLE_HEIGHTS];
     oracle_move_by(environment, displaced, move);
-    return move[lane];
+    return move[component];
 }
 
 void oracle_move(Environment *environment, const Node *displaced, OracleDisplacement *d)
@@ -57,11 +60,12 @@ void oracle_move(Environment *environment, const Node *displaced, OracleDisplace
         along_normal = !volume && graph_displacement(displaced).vector->kind != VALUE_node;
     *d = (OracleDisplacement){0};
     oracle_move_by(environment, displaced, d->by);
-    for (int lane = along_normal ? ALONG_N : 0; lane < (volume ? ORACLE_HEIGHTS : 3); lane++) {
+    for (int component = along_normal ? ALONG_N : 0; component < (volume ? ORACLE_HEIGHTS : 3);
+         component++) {
         double slope[2];
-        oracle_slopes(environment, &(Height){lane_of_move, displaced, lane}, slope);
-        d->by_u[lane] = slope[0];
-        d->by_v[lane] = slope[1];
+        oracle_slopes(environment, &(Height){component_of_move, displaced, component}, slope);
+        d->by_u[component] = slope[0];
+        d->by_v[component] = slope[1];
     }
 }
 

@@ -40,9 +40,9 @@ static void quantity_at(Environment *environment, const Node *node, Quantity qua
     oracle_ask_input3(environment, node, row->group, group);
     if (quantity == QUANTITY_N)
         reference_of(FN_safeNormalize)(NULL, (const double[]){group[0], group[1], group[2]}, group);
-    for (int i = 0; row->lanes[i]; i++)
-        result[i] = group[row->lanes[i] - 'x'];
-    for (int i = 1; !row->lanes[1] && i < 4; i++)
+    for (int i = 0; row->components[i]; i++)
+        result[i] = group[row->components[i] - 'x'];
+    for (int i = 1; !row->components[1] && i < 4; i++)
         result[i] = result[0];
 }
 
@@ -62,10 +62,10 @@ static void attributes_at(const Environment *environment, double result[LIMIT_AT
     const Graph *graph = environment->oracle->graph;
     const Surface *surface = environment->surface;
     for (int i = 0; i < graph->attribute_count; i++)
-        for (int lane = 0; lane < 4; lane++) {
-            const int from = graph->attributes[i]->type == TYPE_float ? 0 : lane;
+        for (int component = 0; component < 4; component++) {
+            const int from = graph->attributes[i]->type == TYPE_float ? 0 : component;
             const bool has = surface->has >> (4 * i + from) & 1;
-            result[i][lane] =
+            result[i][component] =
                 has ? surface->attributes[i][from] : graph->attributes[i]->initial[from];
         }
 }
@@ -120,14 +120,15 @@ static void value_of(Environment *environment, const Node *node, double result[4
 
 double oracle_Expression(Environment *environment, const Node *node, int channel)
 {
-    double own[4] = {0}, lanes[4];
+    double own[4] = {0}, components[4];
     const int width = node->width;
     if (node_param(node, P_Expression_is)->kind == VALUE_formula)
         value_of(environment, node, own);
-    graph_convert(width, own, group_of(channel) == GROUP_R ? 4 : 3, lanes);
+    graph_convert(width, own, group_of(channel) == GROUP_R ? 4 : 3, components);
     if (group_of(channel) == GROUP_IOR)
-        lanes[0] = own[0];
-    for (int lane = 0; lane < (group_of(channel) == GROUP_R ? 4 : 3); lane++)
-        memo_set(environment, node, channel_id(group_of(channel), lane), lanes[lane]);
-    return lanes[lane_of(channel)];
+        components[0] = own[0];
+    for (int component = 0; component < (group_of(channel) == GROUP_R ? 4 : 3); component++)
+        memo_set(environment, node, channel_id(group_of(channel), component),
+                 components[component]);
+    return components[component_of(channel)];
 }

@@ -21,7 +21,7 @@ double oracle_answer(Environment *environment, const Node *node, int channel)
  * channels are 0. */
 static double constant(int channel, const double rgba[4])
 {
-    return is_derivative(channel) ? 0 : rgba[lane_of(channel)];
+    return is_derivative(channel) ? 0 : rgba[component_of(channel)];
 }
 
 double oracle_Constant(Environment *environment, const Node *node, int channel)
@@ -94,8 +94,8 @@ double oracle_waved(const Environment *environment, const Node *node, double val
 double oracle_same_of_all(const Environment *environment, const Node *node, int channel,
                           double value)
 {
-    for (int lane = 0; lane < 3; lane++)
-        memo_set(environment, node, channel_id(group_of(channel), lane), value);
+    for (int component = 0; component < 3; component++)
+        memo_set(environment, node, channel_id(group_of(channel), component), value);
     return value;
 }
 
@@ -142,7 +142,7 @@ static double volume_step(Kind kind)
 
 double oracle_volume(Environment *environment, const Node *node, int channel)
 {
-    if (lane_of(channel) == 3)
+    if (component_of(channel) == 3)
         return 1;
     const double step = volume_step(node->kind);
     const Volume volume = {environment, node};
@@ -157,7 +157,7 @@ double oracle_volume(Environment *environment, const Node *node, int channel)
 
 double oracle_Gradient(Environment *environment, const Node *node, int channel)
 {
-    if (lane_of(channel) == 3)
+    if (component_of(channel) == 3)
         return 1;
     double p[3], direction[3];
     oracle_ask_input3(environment, node, GROUP_X, p);
@@ -168,7 +168,7 @@ double oracle_Gradient(Environment *environment, const Node *node, int channel)
 
 double oracle_VolumeTurbulence(Environment *environment, const Node *node, int channel)
 {
-    if (lane_of(channel) == 3)
+    if (component_of(channel) == 3)
         return 1;
     double size = oracle_number(node, P_VolumeTurbulence_size);
     double octaves = clamp(trunc(oracle_number(node, P_VolumeTurbulence_octaves)), 1, 11);

@@ -103,9 +103,9 @@ void oracle_number3(const Node *node, int param, double result[3]);
 
 /* A number that varies over the surface, as a function of the point. */
 typedef struct {
-    double (*at)(Environment *environment, const Node *node, int lane);
+    double (*at)(Environment *environment, const Node *node, int component);
     const Node *node;
-    int lane;
+    int component;
 } Height;
 /* Computes the derivatives of a height by u and v. oracle_normal.c */
 void oracle_slopes(Environment *environment, const Height *height, double slope[2]);
@@ -166,12 +166,12 @@ void oracle_uv_slopes(const Node *node, double slope[2]);
 /* Transforms slopes by all UVTransforms from a map down its inputs; NULL is the surface. */
 void oracle_turn_slopes(Oracle *oracle, const Node *input, double slope[2]);
 
-static inline Group group_of(int channel) { return (Group)(channel / LANES_OF_GROUP); }
-static inline int lane_of(int channel) { return channel % LANES_OF_GROUP; }
+static inline Group group_of(int channel) { return (Group)(channel / COMPONENTS_OF_GROUP); }
+static inline int component_of(int channel) { return channel % COMPONENTS_OF_GROUP; }
 /* Returns true for components x, y, z of a group, which a map defines as a triple. */
 static inline bool in_triple(int channel, Group group)
 {
-    return group_of(channel) == group && lane_of(channel) < 3;
+    return group_of(channel) == group && component_of(channel) < 3;
 }
 /* Returns true for the derivative channels: ids 8..14 of semantics.md, without the fourth
  * component of DV. */

@@ -35,29 +35,29 @@ static const double MISSING_GRAY = 128. / 255; /* the color java.awt.Color.GRAY 
 
 static void set_colour(SlotValues *result, Slot slot, const double rgb[3])
 {
-    memcpy(result->lane[slot], rgb, 3 * sizeof *rgb);
+    memcpy(result->component[slot], rgb, 3 * sizeof *rgb);
 }
 
 void oracle_ask_colour(Environment *environment, const Node *node, int param, double rgb[3])
 {
-    for (int lane = 0; lane < 3; lane++)
-        rgb[lane] = oracle_ask_param(environment, node, param, channel_id(GROUP_R, lane));
+    for (int component = 0; component < 3; component++)
+        rgb[component] = oracle_ask_param(environment, node, param, channel_id(GROUP_R, component));
 }
 
 static void slot_colour(Environment *environment, const Node *node, int param, Slot slot,
                         SlotValues *result)
 {
-    oracle_ask_colour(environment, node, param, result->lane[slot]);
+    oracle_ask_colour(environment, node, param, result->component[slot]);
 }
 
 void oracle_set_normal(const Environment *environment, const double normal[3], SlotValues *result)
 {
-    double *lane = result->lane[SLOT_normal];
-    oracle_call(environment, FN_safeNormalize, normal, lane);
+    double *component = result->component[SLOT_normal];
+    oracle_call(environment, FN_safeNormalize, normal, component);
     if (environment->surface->front)
         return;
     for (int i = 0; i < 3; i++)
-        lane[i] = -lane[i];
+        component[i] = -component[i];
 }
 
 /* Sets a black Phong without maps: the base of the other materials. */
@@ -65,13 +65,13 @@ static void set_neutral(const Environment *environment, SlotValues *result)
 {
     memset(result, 0, sizeof *result);
     oracle_set_normal(environment, &environment->surface->root[channel_id(GROUP_N, 0)], result);
-    result->lane[SLOT_alpha][0] = result->lane[SLOT_filmIor][0] = 1;
-    for (int lane = 0; lane < 3; lane++)
-        result->lane[SLOT_coatTint][lane] = 1;
-    result->lane[SLOT_shininess][0] = DEFAULT_EXPONENT;
-    result->lane[SLOT_transparencyShininess][0] = GREATEST_EXPONENT;
-    result->lane[SLOT_interpolatedTransparency][0] = 1;
-    result->lane[SLOT_ior][0] = environment->surface->root[channel_id(GROUP_IOR, 0)];
+    result->component[SLOT_alpha][0] = result->component[SLOT_filmIor][0] = 1;
+    for (int component = 0; component < 3; component++)
+        result->component[SLOT_coatTint][component] = 1;
+    result->component[SLOT_shininess][0] = DEFAULT_EXPONENT;
+    result->component[SLOT_transparencyShininess][0] = GREATEST_EXPONENT;
+    result->component[SLOT_interpolatedTransparency][0] = 1;
+    result->component[SLOT_ior][0] = environment->surface->root[channel_id(GROUP_IOR, 0)];
 }
 
 /* Sets a Phong from an RGBA: diffuse rgb of alpha 1, and transparency 1 - a. */
@@ -102,7 +102,7 @@ static void exponent(Environment *environment, const Node *material, int param, 
     if (node_param(material, param)->kind == VALUE_none)
         return;
     double red = oracle_ask_param(environment, material, param, channel_id(GROUP_R, 0));
-    oracle_call(environment, FN_phongExponent, &red, result->lane[slot]);
+    oracle_call(environment, FN_phongExponent, &red, result->component[slot]);
 }
 
 /* Sets the transparency. The diffuse map's alpha makes the surface transparent: at 0 completely,
@@ -112,9 +112,9 @@ static void transparency(Environment *environment, const Node *material, SlotVal
     double alpha = oracle_ask_param(environment, material, P_Phong_diffuse, channel_id(GROUP_R, 3));
     double colour[3];
     oracle_ask_colour(environment, material, P_Phong_transparency, colour);
-    result->lane[SLOT_alpha][0] = alpha;
+    result->component[SLOT_alpha][0] = alpha;
     for (int i = 0; i < 3; i++)
-        result->lane[SLOT_transparency][i] = 1 + alpha * (colour[i] - 1);
+        result->component[SLOT_transparency][i] = 1 + alpha * (colour[i] - 1);
 }
 
 /* Evaluates a Phong. Only the normal and the index of refraction come from `input`; the other
@@ -125,7 +125,7 @@ void oracle_Phong(Environment *environment, const Node *material, SlotValues *re
     for (int i = 0; i < 3; i++)
         normal[i] = oracle_ask_param(environment, material, P_Phong_input, channel_id(GROUP_N, i));
     oracle_set_normal(environment, normal, result);
-    result->lane[SLOT_ior][0] =
+    result->component[SLOT_ior][0] =
         oracle_ask_param(environment, material, P_Phong_input, channel_id(GROUP_IOR, 0));
     slot_colour(environment, material, P_Phong_diffuse, SLOT_diffuse, result);
     slot_colour(environment, material, P_Phong_specular, SLOT_specular, result);
@@ -137,7 +137,7 @@ void oracle_Phong(Environment *environment, const Node *material, SlotValues *re
     exponent(environment, material, P_Phong_shininess, SLOT_shininess, result);
     exponent(environment, material, P_Phong_transparencyShininess, SLOT_transparencyShininess,
              result);
-    result->lane[SLOT_interpolatedTransparency][0] =
+    result->component[SLOT_interpolatedTransparency][0] =
         oracle_number(material, P_Phong_interpolatedTransparency) != 0;
 }
 
@@ -169,7 +169,7 @@ void oracle_SunSkyLight(Environment *environment, const Node *material, SlotValu
     memcpy(args[SKY_SUN], sky->rows[SKY_ROW_SUN], sizeof sky->rows[SKY_ROW_SUN]);
     memcpy(args[SKY_ZENITH], sky->rows[SKY_ROW_ZENITH], sizeof sky->rows[SKY_ROW_ZENITH]);
     memcpy(args[SKY_A], sky->rows[SKY_ROW_A], 5 * sizeof sky->rows[SKY_ROW_A]);
-    oracle_call(environment, FN_skyRadiance, &args[0][0], result->lane[SLOT_emissive]);
+    oracle_call(environment, FN_skyRadiance, &args[0][0], result->component[SLOT_emissive]);
 }
 
 const Node *oracle_material_of(const Node *material, int param)
@@ -224,7 +224,7 @@ static void answer(Environment *environment, const Node *material, SlotValues *r
     else
         missing(result);
     if (oracle_is_principled(environment, material) &&
-        result->lane[SLOT_model][0] != MODEL_Principled)
+        result->component[SLOT_model][0] != MODEL_Principled)
         oracle_as_principled(result);
 }
 
@@ -232,7 +232,8 @@ void oracle_answer_as(Environment *environment, const Node *whole, const Node *s
                       SlotValues *result)
 {
     answer(environment, side, result);
-    if (oracle_is_principled(environment, whole) && result->lane[SLOT_model][0] != MODEL_Principled)
+    if (oracle_is_principled(environment, whole) &&
+        result->component[SLOT_model][0] != MODEL_Principled)
         oracle_as_principled(result);
 }
 
@@ -266,9 +267,10 @@ static void answer_displaced(Environment *environment, const Node *material, Slo
     Environment there = environment_open(environment->oracle, &surface, environment->depth + 1);
     there.mesh = environment->surface;
     answer(&there, material, &moved);
-    memcpy(result->lane[SLOT_normal], moved.lane[SLOT_normal], sizeof result->lane[SLOT_normal]);
-    memcpy(result->lane[SLOT_coatNormal], moved.lane[SLOT_coatNormal],
-           sizeof result->lane[SLOT_coatNormal]);
+    memcpy(result->component[SLOT_normal], moved.component[SLOT_normal],
+           sizeof result->component[SLOT_normal]);
+    memcpy(result->component[SLOT_coatNormal], moved.component[SLOT_coatNormal],
+           sizeof result->component[SLOT_coatNormal]);
 }
 
 typedef struct {

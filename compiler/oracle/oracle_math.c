@@ -5,41 +5,41 @@
 static const double LEAST_WIDTH = 1e-30, MOST_EXPONENT = 64;
 
 /* Returns a component of a parameter's color, that of the channel, whatever its group. */
-static double lane_at(Environment *environment, const Node *node, int param, int lane)
+static double component_at(Environment *environment, const Node *node, int param, int component)
 {
-    return oracle_ask_param(environment, node, param, channel_id(GROUP_R, lane));
+    return oracle_ask_param(environment, node, param, channel_id(GROUP_R, component));
 }
 
 double oracle_Mix(Environment *environment, const Node *node, int channel)
 {
-    const int lane = lane_of(channel);
-    const double t = lane_at(environment, node, P_Mix_amount, 0);
-    return lane_at(environment, node, P_Mix_a, lane) * (1 - t) +
-           lane_at(environment, node, P_Mix_b, lane) * t;
+    const int component = component_of(channel);
+    const double t = component_at(environment, node, P_Mix_amount, 0);
+    return component_at(environment, node, P_Mix_a, component) * (1 - t) +
+           component_at(environment, node, P_Mix_b, component) * t;
 }
 
 double oracle_Add(Environment *environment, const Node *node, int channel)
 {
-    const int lane = lane_of(channel);
-    const double a = lane_at(environment, node, P_Add_a, lane);
-    return lane == 3 ? a : a + lane_at(environment, node, P_Add_b, lane);
+    const int component = component_of(channel);
+    const double a = component_at(environment, node, P_Add_a, component);
+    return component == 3 ? a : a + component_at(environment, node, P_Add_b, component);
 }
 
 double oracle_Multiply(Environment *environment, const Node *node, int channel)
 {
-    const int lane = lane_of(channel);
-    const double a = lane_at(environment, node, P_Multiply_a, lane);
-    return lane == 3 ? a : a * lane_at(environment, node, P_Multiply_b, lane);
+    const int component = component_of(channel);
+    const double a = component_at(environment, node, P_Multiply_a, component);
+    return component == 3 ? a : a * component_at(environment, node, P_Multiply_b, component);
 }
 
 double oracle_Remap(Environment *environment, const Node *node, int channel)
 {
-    const double x = lane_at(environment, node, P_Remap_input, lane_of(channel));
-    const double low = lane_at(environment, node, P_Remap_low, 0),
-                 high = lane_at(environment, node, P_Remap_high, 0);
-    const double to_low = lane_at(environment, node, P_Remap_toLow, 0),
-                 to_high = lane_at(environment, node, P_Remap_toHigh, 0);
-    if (lane_of(channel) == 3)
+    const double x = component_at(environment, node, P_Remap_input, component_of(channel));
+    const double low = component_at(environment, node, P_Remap_low, 0),
+                 high = component_at(environment, node, P_Remap_high, 0);
+    const double to_low = component_at(environment, node, P_Remap_toLow, 0),
+                 to_high = component_at(environment, node, P_Remap_toHigh, 0);
+    if (component_of(channel) == 3)
         return x;
     return fabs(high - low) < LEAST_WIDTH
                ? to_low
@@ -48,27 +48,28 @@ double oracle_Remap(Environment *environment, const Node *node, int channel)
 
 double oracle_Contrast(Environment *environment, const Node *node, int channel)
 {
-    const double x = lane_at(environment, node, P_Contrast_input, lane_of(channel));
-    const double pivot = lane_at(environment, node, P_Contrast_pivot, 0);
-    return lane_of(channel) == 3
+    const double x = component_at(environment, node, P_Contrast_input, component_of(channel));
+    const double pivot = component_at(environment, node, P_Contrast_pivot, 0);
+    return component_of(channel) == 3
                ? x
-               : pivot + lane_at(environment, node, P_Contrast_amount, 0) * (x - pivot);
+               : pivot + component_at(environment, node, P_Contrast_amount, 0) * (x - pivot);
 }
 
 double oracle_Clamp(Environment *environment, const Node *node, int channel)
 {
-    const double x = lane_at(environment, node, P_Clamp_input, lane_of(channel));
-    return lane_of(channel) == 3 ? x
-                                 : fmin(fmax(x, lane_at(environment, node, P_Clamp_low, 0)),
-                                        lane_at(environment, node, P_Clamp_high, 0));
+    const double x = component_at(environment, node, P_Clamp_input, component_of(channel));
+    return component_of(channel) == 3
+               ? x
+               : fmin(fmax(x, component_at(environment, node, P_Clamp_low, 0)),
+                      component_at(environment, node, P_Clamp_high, 0));
 }
 
 double oracle_Power(Environment *environment, const Node *node, int channel)
 {
-    const double x = lane_at(environment, node, P_Power_input, lane_of(channel));
+    const double x = component_at(environment, node, P_Power_input, component_of(channel));
     const double exponent =
-        fmin(fmax(lane_at(environment, node, P_Power_exponent, 0), 0), MOST_EXPONENT);
-    return lane_of(channel) == 3 ? x : fmin(pow(fmax(x, 1e-37), exponent), 1e37);
+        fmin(fmax(component_at(environment, node, P_Power_exponent, 0), 0), MOST_EXPONENT);
+    return component_of(channel) == 3 ? x : fmin(pow(fmax(x, 1e-37), exponent), 1e37);
 }
 
 /* Converts RGB to HSV, hue in turns: the hexagon is the color cube viewed along its diagonal. */
@@ -86,24 +87,24 @@ static void hsv_of(const double rgb[3], double hsv[3])
 
 /* Returns a component of an HSV color: full within a sixth of a turn around its own hue, and
  * reduced by the saturation outside a third. */
-static double lane_of_hsv(const double hsv[3], int lane)
+static double component_of_hsv(const double hsv[3], int component)
 {
-    const double turn = hsv[0] - lane / 3., from = fabs(turn - floor(turn + .5));
+    const double turn = hsv[0] - component / 3., from = fabs(turn - floor(turn + .5));
     return hsv[2] * (1 - hsv[1] * fmin(fmax(6 * from - 1, 0), 1));
 }
 
 double oracle_HSV(Environment *environment, const Node *node, int channel)
 {
     double rgb[3], hsv[3];
-    if (lane_of(channel) == 3)
-        return lane_at(environment, node, P_HSV_input, 3);
+    if (component_of(channel) == 3)
+        return component_at(environment, node, P_HSV_input, 3);
     for (int i = 0; i < 3; i++)
-        rgb[i] = lane_at(environment, node, P_HSV_input, i);
+        rgb[i] = component_at(environment, node, P_HSV_input, i);
     hsv_of(rgb, hsv);
-    hsv[0] += lane_at(environment, node, P_HSV_hue, 0);
-    hsv[1] *= lane_at(environment, node, P_HSV_saturation, 0);
-    hsv[2] *= lane_at(environment, node, P_HSV_value, 0);
-    return lane_of_hsv(hsv, lane_of(channel));
+    hsv[0] += component_at(environment, node, P_HSV_hue, 0);
+    hsv[1] *= component_at(environment, node, P_HSV_saturation, 0);
+    hsv[2] *= component_at(environment, node, P_HSV_value, 0);
+    return component_of_hsv(hsv, component_of(channel));
 }
 
 /* Evaluates the chosen map's own channel, whatever its group. */
@@ -111,8 +112,8 @@ double oracle_Switch(Environment *environment, const Node *node, int channel)
 {
     const Value *maps = node_param(node, P_Switch_maps);
     if (maps->kind != VALUE_items || !maps->items->count)
-        return lane_of(channel) == 3;
-    const double i = floor(lane_at(environment, node, P_Switch_which, 0) + .5);
+        return component_of(channel) == 3;
+    const double i = floor(component_at(environment, node, P_Switch_which, 0) + .5);
     return oracle_ask(environment,
                       maps->items->item[(int)fmin(fmax(i, 0), maps->items->count - 1)].input,
                       channel);
@@ -120,12 +121,16 @@ double oracle_Switch(Environment *environment, const Node *node, int channel)
 
 double oracle_Combine(Environment *environment, const Node *node, int channel)
 {
-    return lane_of(channel) == 3 ? 1
-                                 : lane_at(environment, node, P_Combine_r + lane_of(channel), 0);
+    return component_of(channel) == 3
+               ? 1
+               : component_at(environment, node, P_Combine_r + component_of(channel), 0);
 }
 
 double oracle_Separate(Environment *environment, const Node *node, int channel)
 {
-    const int lane = (int)node_param(node, P_Separate_channel)->number[0] - (int)WORD_Channel_r;
-    return lane_of(channel) == 3 ? 1 : lane_at(environment, node, P_Separate_input, lane);
+    const int component =
+        (int)node_param(node, P_Separate_channel)->number[0] - (int)WORD_Channel_r;
+    return component_of(channel) == 3
+               ? 1
+               : component_at(environment, node, P_Separate_input, component);
 }

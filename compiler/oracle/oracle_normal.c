@@ -17,9 +17,9 @@ static void ask_frame(Environment *environment, const Node *node, Frame *frame)
 
 static double guarded_length(const double v[3]) { return fmax(vec3_length(v), 1e-30); }
 
-static double cross(const double a[3], const double b[3], int lane)
+static double cross(const double a[3], const double b[3], int component)
 {
-    int i = (lane + 1) % 3, j = (lane + 2) % 3;
+    int i = (component + 1) % 3, j = (component + 2) % 3;
     return a[i] * b[j] - a[j] * b[i];
 }
 
@@ -39,14 +39,14 @@ static double turning(const Frame *frame)
  * steep slopes. */
 static double raised(const Frame *frame, double slope_u, double slope_v, int channel)
 {
-    int lane = lane_of(channel);
+    int component = component_of(channel);
     if (group_of(channel) == GROUP_DU)
-        return frame->du[lane] + slope_u * frame->n[lane];
+        return frame->du[component] + slope_u * frame->n[component];
     if (group_of(channel) == GROUP_DV)
-        return frame->dv[lane] + slope_v * frame->n[lane];
-    const double normal = cross(frame->du, frame->dv, lane) +
-                          slope_u * cross(frame->n, frame->dv, lane) +
-                          slope_v * cross(frame->du, frame->n, lane);
+        return frame->dv[component] + slope_v * frame->n[component];
+    const double normal = cross(frame->du, frame->dv, component) +
+                          slope_u * cross(frame->n, frame->dv, component) +
+                          slope_v * cross(frame->du, frame->n, component);
     return turning(frame) * normal;
 }
 
@@ -89,7 +89,7 @@ static Environment *open_beside(Environment *environment, double du, double dv, 
 static double height_at(Environment *environment, const Height *height, double du, double dv)
 {
     Projection room[LIMIT_FILTERS + 1];
-    return height->at(open_beside(environment, du, dv, room), height->node, height->lane);
+    return height->at(open_beside(environment, du, dv, room), height->node, height->component);
 }
 
 /* Returns a step that is small compared with a float's rounding, so that both sides of a crease
@@ -227,9 +227,9 @@ static double raised_frame(Environment *environment, const Node *node, const Fra
     return raised(frame, slope[0], slope[1], channel);
 }
 
-static double red(Environment *environment, const Node *map, int lane)
+static double red(Environment *environment, const Node *map, int component)
 {
-    return oracle_ask(environment, map, channel_id(GROUP_R, lane));
+    return oracle_ask(environment, map, channel_id(GROUP_R, component));
 }
 
 double oracle_BumpMap(Environment *environment, const Node *node, int channel)
@@ -261,7 +261,7 @@ double oracle_BumpMap(Environment *environment, const Node *node, int channel)
 /* A range of channels. */
 typedef struct {
     int first, count;
-} Lanes;
+} Components;
 
 /* Origin and frequencies of a WaveMap's waves. */
 typedef struct {
@@ -317,7 +317,7 @@ static Surface shifted(const Surface *from, const double shift[3])
 
 /* Evaluates the input on some components of a group, at a surface point whose local position and
  * texture coordinate are offset by `shift`. */
-static void shifted_input(Environment *environment, const Node *node, const Lanes *lanes,
+static void shifted_input(Environment *environment, const Node *node, const Components *components,
                           const double shift[3], double result[3])
 {
     Oracle *oracle = environment->oracle;
@@ -328,8 +328,8 @@ static void shifted_input(Environment *environment, const Node *node, const Lane
     Environment moved_centre = environment_open(oracle, &middle, environment->depth + 2);
     moved.origin = environment->origin ? &moved_centre : NULL;
     moved.centre = environment->centre ? &moved_centre : NULL;
-    for (int i = 0; i < lanes->count; i++)
-        result[i] = oracle_ask_input(&moved, node, lanes->first + i);
+    for (int i = 0; i < components->count; i++)
+        result[i] = oracle_ask_input(&moved, node, components->first + i);
 }
 
 enum { CENTRE = 13 }; /* index of the center among the 27 cells */
@@ -343,11 +343,12 @@ typedef double Kernel[4];
 static double filtered(Environment *environment, const Node *node, int channel,
                        const double size[3], const Kernel kernel)
 {
-    const Lanes lanes = {channel_id(group_of(channel), 0), group_of(channel) == GROUP_IOR ? 1 : 3};
+    const Components components = {channel_id(group_of(channel), 0),
+                                   group_of(channel) == GROUP_IOR ? 1 : 3};
     double centre[3] = {0}, value[3] = {0}, sum[3] = {0}, weights = 0;
-    if (lane_of(channel) >= lanes.count)
+    if (component_of(channel) >= components.count)
         return 1;
-    shifted_input(environment, node, &lanes, (double[3]){0}, centre);
+    shifted_input(environment, node, &components, (double[3]){0}, centre);
     for (int cell = 0; cell < 27 && !oracle_spent(environment->oracle); cell++) {
         int offset[3] = {cell % 3 - 1, cell / 3 % 3 - 1, cell / 9 - 1};
         double weight = kernel[(offset[0] != 0) + (offset[1] != 0) + (offset[2] != 0)];
@@ -358,16 +359,16 @@ static double filtered(Environment *environment, const Node *node, int channel,
             shift[i] = size[i] * offset[i] / 2;
         weights += weight;
         if (cell != CENTRE)
-            shifted_input(environment, node, &lanes, shift, value);
-        for (int i = 0; cell != CENTRE && i < lanes.count; i++)
+            shifted_input(environment, node, &components, shift, value);
+        for (int i = 0; cell != CENTRE && i < components.count; i++)
             sum[i] += weight * (value[i] - centre[i]);
     }
-    for (int i = 0; i < lanes.count; i++) {
+    for (int i = 0; i < components.count; i++) {
         /* the weights of either kernel add up to 0 or 1 */
         sum[i] += centre[i] * (fabs(weights) < 1e-12 ? 0 : 1);
-        memo_set(environment, node, lanes.first + i, sum[i]);
+        memo_set(environment, node, components.first + i, sum[i]);
     }
-    return sum[lane_of(channel)];
+    return sum[component_of(channel)];
 }
 
 double oracle_Smooth3D(Environment *environment, const Node *node, int channel)

@@ -52,24 +52,24 @@ static void lay(const OracleCoat *coat, double ior, double specular, SlotValues 
                  low = fmax(fmin(ior, coat->ior), LEAST);
     const double own = reflectance_of(coat->ior);
     const double back = unit(1 - (1 - own) / fmax(coat->ior * coat->ior, LEAST));
-    double *rough = result->lane[SLOT_roughness];
+    double *rough = result->component[SLOT_roughness];
     const double rougher =
         pow(fmin(pow(fmax(rough[0], 0), 4) + 2 * pow(coat->roughness, 4), 1), .25);
     rough[0] = mixed(rough[0], rougher, unit(w * coat->roughening));
-    result->lane[SLOT_reflectance][0] = specular * reflectance_of(mixed(ior, high / low, w));
+    result->component[SLOT_reflectance][0] = specular * reflectance_of(mixed(ior, high / low, w));
     for (int i = 0; i < 3; i++) {
         const double tint = 1 - w + w * coat->colour[i], by = unit(w * coat->darkening);
         const double dark =
-            (1 - back) / fmax(1 - unit(result->lane[SLOT_diffuse][i]) * back, LEAST);
-        result->lane[SLOT_coatTint][i] = tint * (1 - by + by * dark);
-        result->lane[SLOT_emissive][i] *= tint;
+            (1 - back) / fmax(1 - unit(result->component[SLOT_diffuse][i]) * back, LEAST);
+        result->component[SLOT_coatTint][i] = tint * (1 - by + by * dark);
+        result->component[SLOT_emissive][i] *= tint;
     }
-    if (result->lane[SLOT_film][0] > 0)
-        result->lane[SLOT_filmIor][0] =
-            film_ior(result->lane[SLOT_filmIor][0] / fmax(1 - w + w * coat->ior, LEAST));
-    result->lane[SLOT_coat][0] = w;
-    result->lane[SLOT_coatRoughness][0] = coat->roughness;
-    result->lane[SLOT_coatReflectance][0] = own;
+    if (result->component[SLOT_film][0] > 0)
+        result->component[SLOT_filmIor][0] =
+            film_ior(result->component[SLOT_filmIor][0] / fmax(1 - w + w * coat->ior, LEAST));
+    result->component[SLOT_coat][0] = w;
+    result->component[SLOT_coatRoughness][0] = coat->roughness;
+    result->component[SLOT_coatReflectance][0] = own;
 }
 
 /* Sets the anisotropy a (cos 2 t, sin 2 t), with t from the rotation in turns plus, if present,
@@ -89,8 +89,8 @@ static void set_anisotropy(Environment *environment, const Node *material, SlotV
         vec3_cross(m, du, beside);
         turn += 2 * atan2(vec3_dot(tangent, beside), vec3_dot(tangent, du) * vec3_length(m));
     }
-    result->lane[SLOT_anisotropy][0] = strength * cos(turn);
-    result->lane[SLOT_anisotropy][1] = strength * sin(turn);
+    result->component[SLOT_anisotropy][0] = strength * cos(turn);
+    result->component[SLOT_anisotropy][1] = strength * sin(turn);
 }
 
 /* Applies transmission, straight and by subsurface scattering: the color applies once to both
@@ -99,9 +99,9 @@ static void set_anisotropy(Environment *environment, const Node *material, SlotV
 static void let_through(Environment *environment, const Node *material, SlotValues *result)
 {
     const double clear = unit(ask_red(environment, material, P_Principled_transmission)),
-                 metal = result->lane[SLOT_metalness][0];
+                 metal = result->component[SLOT_metalness][0];
     const double below = unit(ask_red(environment, material, P_Principled_subsurface)),
-                 opacity = result->lane[SLOT_alpha][0];
+                 opacity = result->component[SLOT_alpha][0];
     const double on =
         fmin(fmax(ask_red(environment, material, P_Principled_subsurfaceAnisotropy), -1), 1);
     const double weight = ask_red(environment, material, P_Principled_specular),
@@ -117,14 +117,14 @@ static void let_through(Environment *environment, const Node *material, SlotValu
         const double back = scattered[i] * (thin ? (1 - on) / 2 : 1), own = base[i] * base_weight;
         const double through =
             clear * (1 - unit(metal)) * (thin ? unit(tint[i]) : sqrt(unit(tint[i])));
-        result->lane[SLOT_diffuse][i] =
+        result->component[SLOT_diffuse][i] =
             (1 - metal) * (1 - clear) * mixed(own, back, below) + metal * own * weight;
-        result->lane[SLOT_diffuseTransparency][i] =
+        result->component[SLOT_diffuseTransparency][i] =
             thin ? below * (1 - clear) * (1 - unit(metal)) * scattered[i] * (1 + on) / 2 : 0;
-        result->lane[SLOT_transparency][i] = 1 - opacity * (1 - through);
+        result->component[SLOT_transparency][i] = 1 - opacity * (1 - through);
         most = fmax(most, through);
     }
-    result->lane[SLOT_transmission][0] = opacity * most;
+    result->component[SLOT_transmission][0] = opacity * most;
 }
 
 static void set_film(Environment *environment, const Node *material, SlotValues *result)
@@ -134,24 +134,24 @@ static void set_film(Environment *environment, const Node *material, SlotValues 
     const double path = 2 * ask_red(environment, material, P_Principled_filmThickness) * ior;
     if (!(there > 0))
         return;
-    result->lane[SLOT_film][0] = there;
-    result->lane[SLOT_filmIor][0] = ior;
-    result->lane[SLOT_filmPath][0] = fmin(fmax(path, 0), slot_table[SLOT_filmPath].high);
+    result->component[SLOT_film][0] = there;
+    result->component[SLOT_filmIor][0] = ior;
+    result->component[SLOT_filmPath][0] = fmin(fmax(path, 0), slot_table[SLOT_filmPath].high);
 }
 
 /* Sets the coat's own normal; (0, 0, 0) if the coat follows the normal of the surface below. */
 static void set_coat_normal(Environment *environment, const Node *material, int param,
                             SlotValues *result)
 {
-    double normal[3], *lane = result->lane[SLOT_coatNormal];
-    memset(lane, 0, sizeof result->lane[SLOT_coatNormal]);
+    double normal[3], *component = result->component[SLOT_coatNormal];
+    memset(component, 0, sizeof result->component[SLOT_coatNormal]);
     if (graph_coat_follows(environment->oracle->graph, material))
         return;
     for (int i = 0; i < 3; i++)
         normal[i] = oracle_ask_param(environment, material, param, channel_id(GROUP_N, i));
-    oracle_call(environment, FN_safeNormalize, normal, lane);
+    oracle_call(environment, FN_safeNormalize, normal, component);
     for (int i = 0; i < 3 && !environment->surface->front; i++)
-        lane[i] = -lane[i];
+        component[i] = -component[i];
 }
 
 /* Returns the reflectance of both sides of a thin, transmissive wall. */
@@ -181,23 +181,23 @@ void oracle_Principled(Environment *environment, const Node *material, SlotValue
     const double ior = fmax(ask_red(environment, material, P_Principled_ior), 0);
     oracle_ask_colour(environment, material, P_Principled_baseColor, colour);
     for (int i = 0; i < 3; i++)
-        result->lane[SLOT_diffuse][i] = colour[i] *
-                                        ask_red(environment, material, P_Principled_baseWeight) *
-                                        (1 - metal + metal * weight);
+        result->component[SLOT_diffuse][i] =
+            colour[i] * ask_red(environment, material, P_Principled_baseWeight) *
+            (1 - metal + metal * weight);
     oracle_ask_colour(environment, material, P_Principled_emissionColor, colour);
     for (int i = 0; i < 3; i++)
-        result->lane[SLOT_emissive][i] =
+        result->component[SLOT_emissive][i] =
             opacity * colour[i] * ask_red(environment, material, P_Principled_emission);
     oracle_ask_colour(environment, material, P_Principled_specularColor,
-                      result->lane[SLOT_specular]);
+                      result->component[SLOT_specular]);
     for (int i = 0; i < 3; i++)
-        result->lane[SLOT_transparency][i] = 1 - opacity;
-    result->lane[SLOT_alpha][0] = opacity;
-    result->lane[SLOT_metalness][0] = metal;
-    result->lane[SLOT_roughness][0] = ask_red(environment, material, P_Principled_roughness);
-    result->lane[SLOT_reflectance][0] = weight * reflectance_of(ior);
-    result->lane[SLOT_model][0] = MODEL_Principled;
-    result->lane[SLOT_diffuseRoughness][0] =
+        result->component[SLOT_transparency][i] = 1 - opacity;
+    result->component[SLOT_alpha][0] = opacity;
+    result->component[SLOT_metalness][0] = metal;
+    result->component[SLOT_roughness][0] = ask_red(environment, material, P_Principled_roughness);
+    result->component[SLOT_reflectance][0] = weight * reflectance_of(ior);
+    result->component[SLOT_model][0] = MODEL_Principled;
+    result->component[SLOT_diffuseRoughness][0] =
         unit(ask_red(environment, material, P_Principled_diffuseRoughness));
     set_anisotropy(environment, material, result);
     let_through(environment, material, result);
@@ -206,14 +206,15 @@ void oracle_Principled(Environment *environment, const Node *material, SlotValue
     lay(&coat, ior, weight, result);
     if (coat.weight > 0)
         set_coat_normal(environment, material, P_Principled_coatNormal, result);
-    result->lane[SLOT_reflectance][0] =
-        of_both_sides(environment, material, result->lane[SLOT_reflectance][0]);
+    result->component[SLOT_reflectance][0] =
+        of_both_sides(environment, material, result->component[SLOT_reflectance][0]);
     const double fuzz = ask_red(environment, material, P_Principled_fuzz);
     if (!(fuzz > 0))
         return;
-    result->lane[SLOT_fuzz][0] = fuzz;
-    oracle_ask_colour(environment, material, P_Principled_fuzzColor, result->lane[SLOT_fuzzColor]);
-    result->lane[SLOT_fuzzRoughness][0] =
+    result->component[SLOT_fuzz][0] = fuzz;
+    oracle_ask_colour(environment, material, P_Principled_fuzzColor,
+                      result->component[SLOT_fuzzColor]);
+    result->component[SLOT_fuzzRoughness][0] =
         ask_red(environment, material, P_Principled_fuzzRoughness);
 }
 
@@ -226,7 +227,7 @@ void oracle_Layer(Environment *environment, const Node *material, SlotValues *re
     if (oracle_spent(environment->oracle))
         return;
     oracle_answer_as(environment, material, oracle_material_of(material, P_Layer_base), result);
-    const double root = sqrt(unit(result->lane[SLOT_reflectance][0]));
+    const double root = sqrt(unit(result->component[SLOT_reflectance][0]));
     const OracleCoat coat = coat_of(environment, material, coat_params);
     lay(&coat, (1 + root) / fmax(1 - root, LEAST), 1, result);
     if (coat.weight > 0)
@@ -243,21 +244,22 @@ bool oracle_is_principled(const Environment *environment, const Node *material)
  * lobe width. */
 void oracle_as_principled(SlotValues *side)
 {
-    const double *specular = side->lane[SLOT_specular],
-                 share = 2 / (side->lane[SLOT_shininess][0] + 2);
+    const double *specular = side->component[SLOT_specular],
+                 share = 2 / (side->component[SLOT_shininess][0] + 2);
     const double most = fmax(fmax(specular[0], fmax(specular[1], specular[2])), 0);
     static const Slot lost[] = {SLOT_shininess, SLOT_transparencyShininess,
                                 SLOT_interpolatedTransparency, SLOT_diffuseTransparency,
                                 SLOT_ambient};
     for (size_t i = 0; i < sizeof lost / sizeof *lost; i++)
-        for (int lane = 0; lane < type_table[slot_table[lost[i]].type].lanes; lane++)
-            side->lane[lost[i]][lane] = slot_table[lost[i]].absent;
-    for (int lane = 0; lane < 3; lane++)
-        side->lane[SLOT_specular][lane] =
-            (side->lane[SLOT_specular][lane] + LEAST) / (most + LEAST);
-    side->lane[SLOT_roughness][0] = sqrt(sqrt(share));
-    side->lane[SLOT_reflectance][0] = most * share;
-    side->lane[SLOT_model][0] = MODEL_Principled;
+        for (int component = 0; component < type_table[slot_table[lost[i]].type].components;
+             component++)
+            side->component[lost[i]][component] = slot_table[lost[i]].absent;
+    for (int component = 0; component < 3; component++)
+        side->component[SLOT_specular][component] =
+            (side->component[SLOT_specular][component] + LEAST) / (most + LEAST);
+    side->component[SLOT_roughness][0] = sqrt(sqrt(share));
+    side->component[SLOT_reflectance][0] = most * share;
+    side->component[SLOT_model][0] = MODEL_Principled;
 }
 
 static double roughness_of(double exponent) { return sqrt(sqrt(2 / (exponent + 2))); }
@@ -268,8 +270,8 @@ static double counted(Slot slot, const SlotValues sides[2], double t)
 {
     if (slot_weight(slot) == SLOT_COUNT)
         return t;
-    const double a = (1 - t) * sides[0].lane[slot_weight(slot)][0],
-                 b = t * sides[1].lane[slot_weight(slot)][0];
+    const double a = (1 - t) * sides[0].component[slot_weight(slot)][0],
+                 b = t * sides[1].component[slot_weight(slot)][0];
     return a + b > LEAST ? b / (a + b) : t;
 }
 
@@ -277,10 +279,11 @@ static double counted(Slot slot, const SlotValues sides[2], double t)
 static void mix_slot(const Environment *environment, Slot slot, const SlotValues sides[2], double t,
                      SlotValues *result)
 {
-    const double *a = sides[0].lane[slot], *b = sides[1].lane[slot], by = counted(slot, sides, t);
-    double *mean = result->lane[slot];
-    if (!memcmp(a, b, sizeof sides[0].lane[slot])) {
-        memcpy(mean, a, sizeof sides[0].lane[slot]);
+    const double *a = sides[0].component[slot], *b = sides[1].component[slot],
+                 by = counted(slot, sides, t);
+    double *mean = result->component[slot];
+    if (!memcmp(a, b, sizeof sides[0].component[slot])) {
+        memcpy(mean, a, sizeof sides[0].component[slot]);
         return;
     }
     for (int i = 0; i < 3; i++)

@@ -39,9 +39,11 @@ static double uv_tangent(Environment *environment, const Node *node, int channel
     UVMap map = uv_map(node);
     double inverse[2][2];
     uv_inverse(node, &map, inverse);
-    int column = group_of(channel) == GROUP_DU ? 0 : 1, lane = lane_of(channel);
-    return oracle_ask_input(environment, node, channel_id(GROUP_DU, lane)) * inverse[0][column] +
-           oracle_ask_input(environment, node, channel_id(GROUP_DV, lane)) * inverse[1][column];
+    int column = group_of(channel) == GROUP_DU ? 0 : 1, component = component_of(channel);
+    return oracle_ask_input(environment, node, channel_id(GROUP_DU, component)) *
+               inverse[0][column] +
+           oracle_ask_input(environment, node, channel_id(GROUP_DV, component)) *
+               inverse[1][column];
 }
 
 void oracle_uv_slopes(const Node *node, double slope[2])
@@ -99,12 +101,12 @@ double oracle_UVTransform(Environment *environment, const Node *node, int channe
 {
     if (in_triple(channel, GROUP_DU) || in_triple(channel, GROUP_DV))
         return uv_tangent(environment, node, channel);
-    if (group_of(channel) != GROUP_U || lane_of(channel) > 1)
+    if (group_of(channel) != GROUP_U || component_of(channel) > 1)
         return oracle_ask_input(environment, node, channel);
     UVMap map = uv_map(node);
     double u = oracle_ask_input(environment, node, channel_id(GROUP_U, 0)) - map.offset[0];
     double v = oracle_ask_input(environment, node, channel_id(GROUP_U, 1)) - map.offset[1];
-    const double *row = map.linear[lane_of(channel)];
+    const double *row = map.linear[component_of(channel)];
     return row[0] * u + row[1] * v;
 }
 
@@ -188,7 +190,7 @@ double oracle_XYZTransform(Environment *environment, const Node *node, int chann
     const Value *transform = node_param(node, P_XYZTransform_transform);
     if (transform->kind == VALUE_transform)
         apply(transform->transform, q);
-    return q[lane_of(channel)];
+    return q[component_of(channel)];
 }
 
 /* Adds noise, evaluated at the requested triple (local position or texture coordinate), to that
@@ -206,9 +208,9 @@ double oracle_Turbulence(Environment *environment, const Node *node, int channel
                            oracle_number(node, P_Turbulence_frequencyRatio),
                            oracle_number(node, P_Turbulence_noiseRatio)},
                 offset);
-    for (int lane = 0; lane < 3; lane++) {
-        q[lane] += amount[lane] * offset[lane];
-        memo_set(environment, node, channel_id(group_of(channel), lane), q[lane]);
+    for (int component = 0; component < 3; component++) {
+        q[component] += amount[component] * offset[component];
+        memo_set(environment, node, channel_id(group_of(channel), component), q[component]);
     }
-    return q[lane_of(channel)];
+    return q[component_of(channel)];
 }

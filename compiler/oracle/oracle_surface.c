@@ -39,7 +39,7 @@ static double checker_slope(Environment *environment, const Node *node, int chan
     if (here == there)
         return oracle_ask_param(environment, node, this_colour, channel);
     int other_colour = here ? P_Checker_color2 : P_Checker_color1;
-    int component = channel_id(GROUP_R, lane_of(channel));
+    int component = channel_id(GROUP_R, component_of(channel));
     double other = oracle_ask_param(environment, node, other_colour, component);
     return (other - oracle_ask_param(environment, node, this_colour, component)) / CHECKER_STEP;
 }
@@ -151,7 +151,7 @@ static double picture_at(const Picture *picture, double u, double v, int compone
     reference_of(picture->function)(&context, args, texel);
     if (picture->gray)
         return component == 3 ? 1 : texel[picture->channel];
-    if (picture->texture.lanes == 4)
+    if (picture->texture.components == 4)
         return texel[component];
     return component == 3 ? 1 : texel[0];
 }
@@ -182,7 +182,7 @@ static double picture_beside(const Picture *picture, const Node *node, const dou
  * component, the rule of all surface maps, so BumpMap gets the slope of red. */
 static double picture_channel(const Picture *picture, const Node *node, int channel)
 {
-    int component = lane_of(channel);
+    int component = component_of(channel);
     double uv[2];
     ask_uv(picture->environment, node, uv);
     if (picture->environment->centre && !is_derivative(channel))
@@ -202,7 +202,7 @@ static double no_picture(int channel)
 {
     if (is_derivative(channel))
         return 0;
-    return lane_of(channel) == 3 ? 1 : .5;
+    return component_of(channel) == 3 ? 1 : .5;
 }
 
 enum { NO_WORD = -1 };
@@ -232,7 +232,7 @@ double oracle_ImageMap(Environment *environment, const Node *node, int channel)
                                                                            : FN_imageNearest,
         .texture = {.width = image->width,
                     .height = image->height,
-                    .lanes = 4,
+                    .components = 4,
                     .bytes = image_bytes(image),
                     .words = image_words(image),
                     .floats = image_floats(image),
@@ -285,7 +285,7 @@ double oracle_Carpenter(Environment *environment, const Node *node, int channel)
         .function = FN_carpenterRelief,
         .texture = {.width = width,
                     .height = height,
-                    .lanes = 1,
+                    .components = 1,
                     .floats = relief(environment, node, width, height)},
         .step_u = SURFACE_STEP,
         .step_v = SURFACE_STEP,

@@ -53,8 +53,8 @@ double oracle_NormalMap(Environment *environment, const Node *node, int channel)
     tangent_normal(environment, node, t);
     turned_normal(t, n, frame, normal);
     if (group_of(channel) == GROUP_N)
-        return normal[lane_of(channel)];
+        return normal[component_of(channel)];
     const double *tangent = frame[group_of(channel) == GROUP_DV];
-    return tangent[lane_of(channel)] -
-           n[lane_of(channel)] * vec3_dot(normal, tangent) / fmax(vec3_dot(normal, n), 1e-3);
+    return tangent[component_of(channel)] -
+           n[component_of(channel)] * vec3_dot(normal, tangent) / fmax(vec3_dot(normal, n), 1e-3);
 }

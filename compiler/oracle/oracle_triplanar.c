@@ -2,7 +2,7 @@
 #include "compiler/oracle/oracle_maps.h"
 #include "compiler/library/references.h"
 
-enum { AXES = 3, LANES = 4 };
+enum { AXES = 3, COMPONENTS = 4 };
 
 static const int maps_of[AXES] = {P_Triplanar_x, P_Triplanar_y, P_Triplanar_z};
 
@@ -37,9 +37,9 @@ void oracle_project(Environment *outer, const Node *triplanar, int axis, Project
     made->environment.axis = axis;
 }
 
-static double position(Environment *environment, const Node *node, int lane)
+static double position(Environment *environment, const Node *node, int component)
 {
-    return oracle_ask_input(environment, node, channel_id(GROUP_X, lane));
+    return oracle_ask_input(environment, node, channel_id(GROUP_X, component));
 }
 
 /* Sets the weights by axis, at the center of the difference quotient: adjacent points use the
@@ -69,7 +69,7 @@ static void weights_at(Environment *environment, const Node *node, double weight
 }
 
 /* Evaluates all components of the color projected along an axis. */
-static void ask_side(Environment *environment, const Node *node, int axis, double color[LANES])
+static void ask_side(Environment *environment, const Node *node, int axis, double color[COMPONENTS])
 {
     Projection here, origin;
     oracle_project(environment, node, axis, &here);
@@ -78,22 +78,22 @@ static void ask_side(Environment *environment, const Node *node, int axis, doubl
         here.environment.origin = &origin.environment;
         here.environment.centre = environment->centre ? &origin.environment : NULL;
     }
-    for (int i = 0; i < LANES; i++)
+    for (int i = 0; i < COMPONENTS; i++)
         color[i] = oracle_ask(&here.environment, map_of(node, axis), channel_id(GROUP_R, i));
 }
 
 double oracle_Triplanar(Environment *environment, const Node *node, int channel)
 {
-    double weight[AXES], sum[LANES] = {0}, color[LANES];
+    double weight[AXES], sum[COMPONENTS] = {0}, color[COMPONENTS];
     if (!map_of(node, 0))
-        return lane_of(channel) == 3;
+        return component_of(channel) == 3;
     weights_at(environment, node, weight);
     for (int axis = 0; axis < AXES; axis++) {
         ask_side(environment, node, axis, color);
-        for (int i = 0; i < LANES; i++)
+        for (int i = 0; i < COMPONENTS; i++)
             sum[i] += weight[axis] * color[i];
     }
-    for (int i = 0; i < LANES; i++)
+    for (int i = 0; i < COMPONENTS; i++)
         memo_set(environment, node, channel_id(group_of(channel), i), sum[i]);
-    return sum[lane_of(channel)];
+    return sum[component_of(channel)];
 }

@@ -23,11 +23,11 @@ bool oracle_spent(const Oracle *oracle) { return oracle->work > LIMIT_WORK; }
 /* Returns the repetition count of a library function, which is its only integer argument. */
 static double count_of(int function, const double *args)
 {
-    static const int lanes[] = {['2'] = 2, ['3'] = 3, ['4'] = 4, ['f'] = 1, ['s'] = 1};
+    static const int components[] = {['2'] = 2, ['3'] = 3, ['4'] = 4, ['f'] = 1, ['s'] = 1};
     for (const char *letter = function_arguments(function); *letter; letter++) {
         if (*letter == 'i')
             return clamp(*args, USUAL_COUNT, MOST_COUNTED);
-        args += lanes[(int)*letter];
+        args += components[(int)*letter];
     }
     return USUAL_COUNT;
 }

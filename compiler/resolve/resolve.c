@@ -354,7 +354,7 @@ static const Node *resolve_constant(Resolver *r, Tree *tree)
     if (resolve_is_formula(tree))
         return resolve_shorthand(r, tree);
     if (common_error_map(r, tree) || common_error_param(r, tree) || hint_listed(r->session, tree) ||
-        !resolve_number(r, r->param ? r->param : "a map", tree, (LaneCount){1, 4}, &value))
+        !resolve_number(r, r->param ? r->param : "a map", tree, (ComponentCount){1, 4}, &value))
         return NULL;
     return resolve_make_constant(r, (Node){.span = tree->span, .name = own_name(tree)}, value);
 }

@@ -50,7 +50,8 @@ Value resolve_null(Resolver *r, const ParamRow *row, const Tree *tree);
 /* Returns false, after reporting it, if the number exceeds the range of a GLSL float. */
 bool resolve_fits_float(Resolver *r, const char *what, const Tree *tree, double number);
 /* Resolves a number, a list of numbers, a color or a param; `what` names it in messages. */
-bool resolve_number(Resolver *r, const char *what, Tree *tree, LaneCount lanes, Value *value);
+bool resolve_number(Resolver *r, const char *what, Tree *tree, ComponentCount components,
+                    Value *value);
 /* Resolves "#rgb", a color name, or either in srgb() or linear(), to linear light.
  * resolve_color.c */
 bool resolve_color(Resolver *r, const Tree *tree, Value *value);
@@ -58,9 +59,9 @@ bool resolve_color(Resolver *r, const Tree *tree, Value *value);
 bool resolve_color_space(Resolver *r, const Tree *document);
 /* True if colors of that source are sRGB unless stated otherwise. */
 bool resolve_is_srgb(const Resolver *r, uint32_t file);
-/* Advises about a hex color such as "#ff8800" with the components `lanes`, if its file has no
+/* Advises about a hex color such as "#ff8800" with the components `components`, if its file has no
  * `colors:` line; once per file. */
-void resolve_advise_colors(Resolver *r, Span span, const char *hex, const double *lanes);
+void resolve_advise_colors(Resolver *r, Span span, const char *hex, const double *components);
 /* Resolves a wave; *wave is NULL for null. resolve_wave.c */
 bool resolve_wave(Resolver *r, Tree *tree, const Wave **wave);
 /* resolve_transform.c */
@@ -73,9 +74,9 @@ bool resolve_expression(Resolver *r, const Tree *tree, Value *params);
  * definitions. */
 bool resolve_formula(Resolver *r, const Tree *text, const Tree *with, Value *params);
 /* Evaluates a formula in the place of numbers. Its value must be known at compile time, with one
- * component or a number of components that `lanes` allows. */
-bool resolve_known_formula(Resolver *r, const char *what, const Tree *text, LaneCount lanes,
-                           Value *value);
+ * component or a number of components that `components` allows. */
+bool resolve_known_formula(Resolver *r, const char *what, const Tree *text,
+                           ComponentCount components, Value *value);
 /* True for a text that begins with '='. */
 static inline bool resolve_is_formula(const Tree *tree)
 {

@@ -45,11 +45,11 @@ bool resolve_color_space(Resolver *r, const Tree *document)
 /* -- Advice about hex colors without `colors:` */
 
 /* True if all components are 0 or 1, which are equal in sRGB and linear light. */
-static bool is_pure(const double *lanes)
+static bool is_pure(const double *components)
 {
     bool pure = true;
-    for (int lane = 0; lane < 3; lane++)
-        pure &= lanes[lane] == 0 || lanes[lane] == 1;
+    for (int component = 0; component < 3; component++)
+        pure &= components[component] == 0 || components[component] == 1;
     return pure;
 }
 
@@ -63,27 +63,28 @@ static bool is_advised(const Session *session, uint32_t file)
 }
 
 /* Formats three components: "[0.91, 0.878, 0.8]". */
-static const char *three_lanes(Session *session, const double *lanes, bool srgb)
+static const char *three_components(Session *session, const double *components, bool srgb)
 {
     Text list = text_new(session->arena);
-    for (int lane = 0; lane < 3; lane++) {
-        text_put(&list, lane ? ", " : "[");
-        text_rounded(&list, srgb ? srgb_decode(lanes[lane]) : lanes[lane], ADVISED_DIGITS);
+    for (int component = 0; component < 3; component++) {
+        text_put(&list, component ? ", " : "[");
+        text_rounded(&list, srgb ? srgb_decode(components[component]) : components[component],
+                     ADVISED_DIGITS);
     }
     text_put(&list, "]");
     return list.at;
 }
 
-void resolve_advise_colors(Resolver *r, Span span, const char *hex, const double *lanes)
+void resolve_advise_colors(Resolver *r, Span span, const char *hex, const double *components)
 {
     Session *session = r->session;
     const bool off =
         warnings_severity(session_warnings(session), DIAG_linear_colors) == SEVERITY_none;
-    if (off || file_colors(r, span.file) != FILE_COLORS_undeclared || is_pure(lanes) ||
+    if (off || file_colors(r, span.file) != FILE_COLORS_undeclared || is_pure(components) ||
         is_advised(session, span.file))
         return;
-    diag_add(session, span, DIAG_linear_colors, hex, three_lanes(session, lanes, false),
-             three_lanes(session, lanes, true));
+    diag_add(session, span, DIAG_linear_colors, hex, three_components(session, components, false),
+             three_components(session, components, true));
 }
 
 static const char *color_name(const void *user, int i)
@@ -98,12 +99,12 @@ static bool hex_color(const char *text, Value *value)
     size_t size = strlen(text + 1);
     if (strspn(text + 1, "0123456789abcdefABCDEF") != size || (size != 3 && size != 6 && size != 8))
         return false;
-    int lanes = size == 8 ? 4 : 3, digits = size == 3 ? 1 : 2;
-    for (int i = 0; i < lanes; i++) {
+    int components = size == 8 ? 4 : 3, digits = size == 3 ? 1 : 2;
+    for (int i = 0; i < components; i++) {
         const char *at = text + 1 + i * digits;
         value->number[i] = (text_hex_digit(at[0]) * 16 + text_hex_digit(at[digits - 1])) / 255.0;
     }
-    value->type = lanes == 4 ? TYPE_vec4 : TYPE_vec3;
+    value->type = components == 4 ? TYPE_vec4 : TYPE_vec3;
     return true;
 }
 
@@ -112,8 +113,8 @@ static bool named_color(Resolver *r, const Tree *tree, const char *text, Value *
     for (int i = 0; i < color_count; i++) {
         if (strcmp(color_table[i].name, text) != 0)
             continue;
-        for (int lane = 0; lane < 3; lane++)
-            value->number[lane] = color_table[i].rgb[lane] / 255.0;
+        for (int component = 0; component < 3; component++)
+            value->number[component] = color_table[i].rgb[component] / 255.0;
         value->type = TYPE_vec3;
         return true;
     }
@@ -152,8 +153,8 @@ bool resolve_color(Resolver *r, const Tree *tree, Value *value)
         return false;
     if (text == tree->text && text[0] == '#')
         resolve_advise_colors(r, tree->span, text, value->number);
-    for (int lane = 0; srgb && lane < 3; lane++) /* alpha is a coverage, not light */
-        value->number[lane] = srgb_decode(value->number[lane]);
+    for (int component = 0; srgb && component < 3; component++) /* alpha is a coverage, not light */
+        value->number[component] = srgb_decode(value->number[component]);
     value->color = true;
     return true;
 }

@@ -158,7 +158,7 @@ static int find_attribute(void *user, const FormulaAttribute *given)
     const int found = names_find(&r->attribute_names, given->name);
     if (found >= 0) {
         const MeshAttribute *known = r->attributes[found];
-        const size_t size = sizeof(double) * (size_t)type_table[given->type].lanes;
+        const size_t size = sizeof(double) * (size_t)type_table[given->type].components;
         if (known->type == given->type && !memcmp(known->initial, given->initial, size))
             return found;
         diag_add(r->session, span, DIAG_attribute_conflict, given->name);
@@ -201,12 +201,12 @@ static void report_hash(const Inputs *in)
         diag_add(in->r->session, (Span){at, at + 1, span.file}, DIAG_hash_formula);
 }
 
-static void advise_color(void *user, uint32_t start, uint32_t end, const double *lanes)
+static void advise_color(void *user, uint32_t start, uint32_t end, const double *components)
 {
     const Inputs *in = user;
     const char *hex =
         arena_string(in->r->session->arena, in->text->text + in->skipped + start, end - start);
-    resolve_advise_colors(in->r, place(user, start, end), hex, lanes);
+    resolve_advise_colors(in->r, place(user, start, end), hex, components);
 }
 
 static const Formula *read_formula(Inputs *in)
@@ -260,8 +260,8 @@ static const char *unknown_part(const Inputs *in, const Formula *formula)
     return NULL;
 }
 
-bool resolve_known_formula(Resolver *r, const char *what, const Tree *text, LaneCount lanes,
-                           Value *value)
+bool resolve_known_formula(Resolver *r, const char *what, const Tree *text,
+                           ComponentCount components, Value *value)
 {
     static const Type types[] = {TYPE_float, TYPE_float, TYPE_vec2, TYPE_vec3, TYPE_vec4};
     Inputs in = {.r = r, .text = text, .arguments = arguments_of(text)};
@@ -269,26 +269,26 @@ bool resolve_known_formula(Resolver *r, const char *what, const Tree *text, Lane
     if (!formula)
         return false;
     const char *part = unknown_part(&in, formula);
-    if (part ||
-        (formula->width != 1 && (formula->width < lanes.least || formula->width > lanes.most))) {
+    if (part || (formula->width != 1 &&
+                 (formula->width < components.least || formula->width > components.most))) {
         if (part)
             diag_add(r->session, text->span, DIAG_formula_varies, what, part);
         else
             diag_add(r->session, text->span, DIAG_wrong_count, what,
-                     lanes.most == 1 ? "a number" : "three numbers", formula->width);
+                     components.most == 1 ? "a number" : "three numbers", formula->width);
         return false;
     }
     double(*known)[4] = arena_zero(r->session->arena, (in.count + formula->count) * sizeof *known);
     for (size_t i = 0; i < in.count; i++) {
         value_number(in.items[i].input->params, types[in.items[i].input->width], known[i]);
-        for (int lane = 1; in.items[i].input->width == 1 && lane < 4; lane++)
-            known[i][lane] = known[i][0];
+        for (int component = 1; in.items[i].input->width == 1 && component < 4; component++)
+            known[i][component] = known[i][0];
     }
     const FormulaPoint point = {.inputs = (const double(*)[4])known, .values = known + in.count};
     formula_value(formula, &point, value->number);
     value->type = types[formula->width];
-    for (int lane = 0; lane < formula->width; lane++)
-        if (!(fabs(value->number[lane]) <= FLT_MAX)) {
+    for (int component = 0; component < formula->width; component++)
+        if (!(fabs(value->number[component]) <= FLT_MAX)) {
             diag_add(r->session, text->span, DIAG_too_large_number, what, text->text);
             return false;
         }

@@ -24,7 +24,7 @@ static bool resolve_item(Resolver *r, Tree *tree, Item *item)
     for (uint32_t i = 0; i < tree->count; i++) {
         const Member *member = &tree->members[i];
         if (!strcmp(member->key, "value")) {
-            fine &= resolve_number(r, "value", member->value, (LaneCount){1, 1}, &item->value);
+            fine &= resolve_number(r, "value", member->value, (ComponentCount){1, 1}, &item->value);
         } else if (!strcmp(member->key, "input")) {
             item->input = resolve_map(r, member->value, &fault);
         } else {

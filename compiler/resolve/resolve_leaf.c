@@ -15,13 +15,14 @@ static void put_number(Text *out, const ParamRow *row, double value)
 
 bool resolve_in_range(Resolver *r, const ParamRow *row, const Tree *tree, const Value *value)
 {
-    const double *lanes = value->kind == VALUE_uniform ? value->uniform->initial : value->number;
-    for (int i = 0; i < type_table[value->type].lanes; i++) {
-        if (lanes[i] >= row->low && lanes[i] <= row->high)
+    const double *components =
+        value->kind == VALUE_uniform ? value->uniform->initial : value->number;
+    for (int i = 0; i < type_table[value->type].components; i++) {
+        if (components[i] >= row->low && components[i] <= row->high)
             continue;
         Text is = text_new(r->session->arena), low = text_new(r->session->arena),
              high = text_new(r->session->arena);
-        put_number(&is, row, lanes[i]);
+        put_number(&is, row, components[i]);
         put_number(&low, row, row->low);
         put_number(&high, row, row->high);
         diag_add(r->session, tree->span, DIAG_out_of_range, row->name, is.at, low.at, high.at);
@@ -105,8 +106,8 @@ static bool resolve_image(Resolver *r, const ParamRow *row, const Tree *tree, Va
 static bool resolve_numeric(Resolver *r, const ParamRow *row, Tree *tree, Value *value)
 {
     bool vector = row->type == PARAM_Vec3, constant = row->kind == KIND_Constant;
-    const LaneCount lanes = {vector ? 3 : 1, vector ? 3 : constant ? 4 : 1};
-    if (!resolve_number(r, row->name, tree, lanes, value))
+    const ComponentCount components = {vector ? 3 : 1, vector ? 3 : constant ? 4 : 1};
+    if (!resolve_number(r, row->name, tree, components, value))
         return false;
     return (row->type != PARAM_Int || resolve_whole(r, row, tree, value)) &&
            resolve_in_range(r, row, tree, value);
@@ -131,7 +132,7 @@ static void warn_of_comment(Resolver *r, const Tree *tree)
 Value resolve_null(Resolver *r, const ParamRow *row, const Tree *tree)
 {
     warn_of_comment(r, tree);
-    return row->type == PARAM_Map && !row->lanes ? (Value){0} : resolve_default(r, row);
+    return row->type == PARAM_Map && !row->components ? (Value){0} : resolve_default(r, row);
 }
 
 static bool resolve_transformation(Resolver *r, Tree *tree, Value *value)

@@ -53,7 +53,7 @@ static int width_of_node(const Node *node)
     const Value *formula = node->kind == KIND_Expression ? node_param(node, P_Expression_is) : NULL;
     switch (node->kind) {
     case KIND_Constant:
-        return type_table[node->params->type].lanes;
+        return type_table[node->params->type].components;
     case KIND_RGBColor:
     case KIND_Combine:
         return 3;
@@ -104,7 +104,7 @@ static bool measure(Resolver *r, Node *node)
     }
     node->filters +=
         node->kind == KIND_Smooth3D || node->kind == KIND_Laplace3D || node->kind == KIND_Triplanar;
-    node->steps |= kind_table[node->kind].step_lanes > 0;
+    node->steps |= kind_table[node->kind].step_components > 0;
     if (node->depth > LIMIT_GRAPH_DEPTH)
         diag_add(r->session, node->span, DIAG_too_deep, LIMIT_GRAPH_DEPTH);
     else if (node->filters > LIMIT_FILTERS)
@@ -140,28 +140,30 @@ const Node *resolve_make_constant(Resolver *r, Node of, Value number)
     return node;
 }
 
-static const Node *make_default(Resolver *r, Value number, int lanes)
+static const Node *make_default(Resolver *r, Value number, int components)
 {
     Value *value = ARENA_NEW(r->session->arena, Value);
     Node *node = ARENA_NEW(r->session->arena, Node);
     *value = number;
-    *node = (Node){
-        .kind = KIND_Constant, .index = r->node_count++, .params = value, .width = (int8_t)lanes};
+    *node = (Node){.kind = KIND_Constant,
+                   .index = r->node_count++,
+                   .params = value,
+                   .width = (int8_t)components};
     return node;
 }
 
 Value resolve_default(Resolver *r, const ParamRow *row)
 {
-    static const Type type_of_lanes[] = {TYPE_float, TYPE_float, TYPE_vec2, TYPE_vec3};
+    static const Type type_of_components[] = {TYPE_float, TYPE_float, TYPE_vec2, TYPE_vec3};
     Value value = {.kind = VALUE_none};
-    if (!row->lanes)
+    if (!row->components)
         return value;
     value.kind = VALUE_number;
-    value.type = type_of_lanes[row->lanes];
+    value.type = type_of_components[row->components];
     memcpy(value.number, row->init, sizeof row->init);
     if (row->type != PARAM_Map)
         return value;
     const Node **made = &r->defaults[row - param_table];
-    *made = *made ? *made : make_default(r, value, row->lanes);
+    *made = *made ? *made : make_default(r, value, row->components);
     return (Value){.kind = VALUE_node, .node = *made};
 }

@@ -70,11 +70,11 @@ static bool is_one_number(Key key, const Tree *value)
     return key == SCALE && value->kind != TREE_list;
 }
 
-static LaneCount lanes_of(Key key, const Tree *value)
+static ComponentCount components_of(Key key, const Tree *value)
 {
     if (!is_one_number(key, value))
-        return (LaneCount){3, 3};
-    return (LaneCount){1, value->kind == TREE_object ? 3 : 1};
+        return (ComponentCount){3, 3};
+    return (ComponentCount){1, value->kind == TREE_object ? 3 : 1};
 }
 
 static TransformKind kind_of(const Tree *tree, Key key, const Tree *value)
@@ -98,8 +98,8 @@ static bool resolve_component(Resolver *r, const Tree *tree, const Member *membe
         return false;
     transform->kind = kind_of(tree, key, member->value);
     if (key != MATRIX) {
-        const bool fine =
-            resolve_number(r, member->key, member->value, lanes_of(key, member->value), parts[key]);
+        const bool fine = resolve_number(r, member->key, member->value,
+                                         components_of(key, member->value), parts[key]);
         if (fine && key == ROTATION)
             lint_unit(r->session, member->key, &unit_table[UNIT_radians], parts[key]);
         return fine;

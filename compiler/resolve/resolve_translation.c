@@ -13,7 +13,7 @@
 #include <float.h>
 #include <math.h>
 
-static const Type type_of_lanes[] = {TYPE_float, TYPE_float, TYPE_vec2, TYPE_vec3, TYPE_vec4};
+static const Type type_of_components[] = {TYPE_float, TYPE_float, TYPE_vec2, TYPE_vec3, TYPE_vec4};
 
 /* The material, and the inputs of the formula being read. */
 typedef struct {
@@ -84,7 +84,7 @@ static int find_input(void *user, const char *name, const FormulaStep *step, int
     Item item = {.value = {.kind = VALUE_number, .type = TYPE_float}, .span = s->span, .width = 1};
     item.input = param < 0 ? number_node(s, word) : node_of(s, &s->params[param]);
     if (param >= 0) {
-        item.width = param_table[kind_table[s->kind].first + param].lanes > 1 ? 4 : 1;
+        item.width = param_table[kind_table[s->kind].first + param].components > 1 ? 4 : 1;
         item.numbers = !param_is_colored(kind_table[s->kind].first + param);
         if (!s->given && s->params[param].given)
             s->given = &s->params[param];
@@ -111,15 +111,15 @@ static const Formula *read_formula(Foreign *s, const char *text)
 
 /* Returns an input's value in the components that the formula reads; false: not known at compile
  * time. */
-static bool known_input(const Item *item, double lanes[4])
+static bool known_input(const Item *item, double components[4])
 {
     const Node *node = item->input;
     if (node->kind != KIND_Constant || node->params->kind != VALUE_number)
         return false;
     if (item->width == 1) /* the red component */
-        lanes[0] = lanes[1] = lanes[2] = lanes[3] = node->params->number[0];
+        components[0] = components[1] = components[2] = components[3] = node->params->number[0];
     else
-        value_number(node->params, TYPE_vec4, lanes);
+        value_number(node->params, TYPE_vec4, components);
     return true;
 }
 
@@ -133,14 +133,14 @@ static bool value_with(const Foreign *s, const Formula *formula, const double gu
     for (size_t i = 0; known && i < s->count; i++)
         if (!known_input(&s->items[i], room[i])) {
             known = guess != NULL;
-            for (int lane = 0; known && lane < 4; lane++)
-                room[i][lane] = guess[s->items[i].width > 1 ? lane : 0];
+            for (int component = 0; known && component < 4; component++)
+                room[i][component] = guess[s->items[i].width > 1 ? component : 0];
         }
     const FormulaPoint point = {.inputs = (const double(*)[4])room, .values = room + s->count};
     if (known)
         formula_value(formula, &point, result);
-    for (int lane = 0; known && lane < formula->width; lane++)
-        known = fabs(result[lane]) <= FLT_MAX;
+    for (int component = 0; known && component < formula->width; component++)
+        known = fabs(result[component]) <= FLT_MAX;
     return known;
 }
 
@@ -191,7 +191,7 @@ static Value translated(Foreign *s, const char *text)
     const Formula *formula = read_formula(s, text);
     if (!formula)
         return (Value){0};
-    Value number = {.kind = VALUE_number, .type = type_of_lanes[formula->width]};
+    Value number = {.kind = VALUE_number, .type = type_of_components[formula->width]};
     const Node *node = value_with(s, formula, NULL, number.number)
                            ? resolve_make_constant(s->r, (Node){.span = s->span}, number)
                            : expression(s, formula);
@@ -277,7 +277,7 @@ const Node *resolve_translate(Resolver *r, Node of)
         *value = rule->formula ? translated(&s, rule->formula) : over_normal(&s, rule, *value);
         if (param_table[rule->to].type != PARAM_Map)
             *value = as_number(*value);
-        fine &= value->kind != VALUE_none || !param_table[rule->to].lanes;
+        fine &= value->kind != VALUE_none || !param_table[rule->to].components;
     }
     lint_units(r->session, &of); /* checked in the author's units */
     report_losses(&s);

@@ -8,7 +8,7 @@
 #include <math.h>
 #include <string.h>
 
-static const Type type_of_lanes[] = {TYPE_float, TYPE_float, TYPE_vec2, TYPE_vec3, TYPE_vec4};
+static const Type type_of_components[] = {TYPE_float, TYPE_float, TYPE_vec2, TYPE_vec3, TYPE_vec4};
 
 bool resolve_fits_float(Resolver *r, const char *what, const Tree *tree, double number)
 {
@@ -19,29 +19,32 @@ bool resolve_fits_float(Resolver *r, const char *what, const Tree *tree, double 
 }
 
 /* Reports [0.5] where 0.5 is sufficient. */
-static bool report_single(Resolver *r, const char *what, const Tree *list, LaneCount lanes)
+static bool report_single(Resolver *r, const char *what, const Tree *list,
+                          ComponentCount components)
 {
     double number;
-    if (lanes.least > 1 || !tree_number(list->items[0], &number))
+    if (components.least > 1 || !tree_number(list->items[0], &number))
         return false;
     diag_add(r->session, list->span, DIAG_single_list, what, list->items[0]->text);
     return true;
 }
 
-static bool number_list(Resolver *r, const char *what, const Tree *tree, LaneCount lanes,
+static bool number_list(Resolver *r, const char *what, const Tree *tree, ComponentCount components,
                         Value *value)
 {
     if (tree->count == 1 &&
-        (common_error_list(r, tree->items[0]) || report_single(r, what, tree, lanes)))
+        (common_error_list(r, tree->items[0]) || report_single(r, what, tree, components)))
         return false;
-    if (tree->count < 2 || (int)tree->count < lanes.least || (int)tree->count > lanes.most) {
+    if (tree->count < 2 || (int)tree->count < components.least ||
+        (int)tree->count > components.most) {
         Text wanted = text_new(r->session->arena);
-        if (lanes.most == 1)
+        if (components.most == 1)
             text_put(&wanted, "a number");
-        else if (lanes.least == lanes.most)
-            text_format(&wanted, "%d numbers", lanes.least);
+        else if (components.least == components.most)
+            text_format(&wanted, "%d numbers", components.least);
         else
-            text_format(&wanted, "%d to %d numbers", lanes.least > 2 ? lanes.least : 2, lanes.most);
+            text_format(&wanted, "%d to %d numbers", components.least > 2 ? components.least : 2,
+                        components.most);
         diag_add(r->session, tree->span, DIAG_wrong_count, what, wanted.at, (int)tree->count);
         return false;
     }
@@ -55,7 +58,7 @@ static bool number_list(Resolver *r, const char *what, const Tree *tree, LaneCou
         if (!resolve_fits_float(r, what, item, value->number[i]))
             return false;
     }
-    value->type = type_of_lanes[tree->count];
+    value->type = type_of_components[tree->count];
     return true;
 }
 
@@ -73,7 +76,7 @@ static bool same_default(const Uniform *uniform, const Value *value)
 {
     return uniform->type == value->type &&
            !memcmp(uniform->initial, value->number,
-                   sizeof(double) * (size_t)type_table[value->type].lanes);
+                   sizeof(double) * (size_t)type_table[value->type].components);
 }
 
 /* Returns the uniform with that name, created on first use. */
@@ -107,7 +110,8 @@ static bool name_uniform(Resolver *r, const Tree *name, Value *value)
 }
 
 /* Resolves { param: name, default: number, list or color } */
-static bool param(Resolver *r, const char *what, Tree *tree, LaneCount lanes, Value *value)
+static bool param(Resolver *r, const char *what, Tree *tree, ComponentCount components,
+                  Value *value)
 {
     const Member *initial = tree_find(tree, "default");
     const Tree *name = tree_find(tree, "param")->value;
@@ -135,32 +139,34 @@ static bool param(Resolver *r, const char *what, Tree *tree, LaneCount lanes, Va
                  "a number, a list or a colour", "an object");
         return false;
     }
-    if (!resolve_number(r, what, initial->value, lanes, value) || !name_uniform(r, name, value))
+    if (!resolve_number(r, what, initial->value, components, value) ||
+        !name_uniform(r, name, value))
         return false;
     value->kind = VALUE_uniform;
     value->span = tree->span;
     return true;
 }
 
-bool resolve_number(Resolver *r, const char *what, Tree *tree, LaneCount lanes, Value *value)
+bool resolve_number(Resolver *r, const char *what, Tree *tree, ComponentCount components,
+                    Value *value)
 {
     *value = (Value){.kind = VALUE_number, .given = true, .span = tree->span};
     double number;
     if (tree->kind == TREE_object && tree_find(tree, "param"))
-        return param(r, what, tree, lanes, value);
+        return param(r, what, tree, components, value);
     if (resolve_is_formula(tree))
-        return resolve_known_formula(r, what, tree, lanes, value);
+        return resolve_known_formula(r, what, tree, components, value);
     if (tree->kind == TREE_list)
-        return number_list(r, what, tree, lanes, value);
+        return number_list(r, what, tree, components, value);
     if (tree_number(tree, &number)) {
         value->type = TYPE_float;
         value->number[0] = number;
         return resolve_fits_float(r, what, tree, number);
     }
-    if (lanes.most >= 3 && tree->kind == TREE_scalar && !tree->plain && strlen(tree->text) >= 6 &&
-        common_error_hex(r, tree, tree->text))
+    if (components.most >= 3 && tree->kind == TREE_scalar && !tree->plain &&
+        strlen(tree->text) >= 6 && common_error_hex(r, tree, tree->text))
         return false;
-    if (hint_value(r, what, tree, lanes) || common_error_number(r, tree) ||
+    if (hint_value(r, what, tree, components) || common_error_number(r, tree) ||
         common_error_list(r, tree) || common_error_formula(r, tree))
         return false;
     if (tree->kind == TREE_scalar && tree->plain && tree->count &&
@@ -168,10 +174,10 @@ bool resolve_number(Resolver *r, const char *what, Tree *tree, LaneCount lanes, 
         diag_add(r->session, tree->span, DIAG_bad_number, tree->text);
         return false;
     }
-    if (tree->kind == TREE_scalar && lanes.most >= 3 && !tree_is_null(tree))
+    if (tree->kind == TREE_scalar && components.most >= 3 && !tree_is_null(tree))
         return resolve_color(r, tree, value);
     diag_add(r->session, tree->span, DIAG_wrong_type, what,
-             lanes.most == 1 ? "a number" : "a number, a list of numbers or a colour",
+             components.most == 1 ? "a number" : "a number, a list of numbers or a colour",
              tree_describe(r->session, tree));
     return false;
 }

@@ -2,7 +2,7 @@
 #include "compiler/resolve/resolve.h"
 #include <string.h>
 
-static const LaneCount one_lane = {1, 1};
+static const ComponentCount one_component = {1, 1};
 
 static const char *wave_name(const void *user, int i)
 {
@@ -33,9 +33,9 @@ static bool chain_member(Resolver *r, const Member *member, Wave *wave)
     if (!strcmp(member->key, "second"))
         return resolve_wave(r, member->value, &wave->second);
     if (!strcmp(member->key, "factor"))
-        return resolve_number(r, "factor", member->value, one_lane, &wave->factor);
+        return resolve_number(r, "factor", member->value, one_component, &wave->factor);
     if (!strcmp(member->key, "shift"))
-        return resolve_number(r, "shift", member->value, one_lane, &wave->shift);
+        return resolve_number(r, "shift", member->value, one_component, &wave->shift);
     diag_add(r->session, member->span, DIAG_unknown_key, "Chain", member->key, "");
     return false;
 }

@@ -25,22 +25,22 @@ static void add_unit(Batch *b, KeySet *keys, Key key, Unit *unit)
 }
 
 /* True if all units of the program have equal numbers at a place. */
-static bool is_same(const BatchProgram *program, int at, int lanes)
+static bool is_same(const BatchProgram *program, int at, int components)
 {
-    size_t size = (size_t)lanes * sizeof(uint32_t);
+    size_t size = (size_t)components * sizeof(uint32_t);
     for (const Unit *unit = program->first->next; unit; unit = unit->next)
         if (memcmp(unit->bits + at, program->first->bits + at, size) != 0)
             return false;
     return true;
 }
 
-static Key column_key(const BatchProgram *program, int at, int lanes)
+static Key column_key(const BatchProgram *program, int at, int components)
 {
     XXH3_state_t state;
     XXH3_128bits_reset(&state);
-    XXH3_128bits_update(&state, &lanes, sizeof lanes);
+    XXH3_128bits_update(&state, &components, sizeof components);
     for (const Unit *unit = program->first; unit; unit = unit->next)
-        XXH3_128bits_update(&state, unit->bits + at, (size_t)lanes * sizeof(uint32_t));
+        XXH3_128bits_update(&state, unit->bits + at, (size_t)components * sizeof(uint32_t));
     XXH128_hash_t hash = XXH3_128bits_digest(&state);
     return (Key){hash.low64, hash.high64};
 }
@@ -56,11 +56,11 @@ static int find_members(BatchProgram *program)
     place_of = sets_resize(NULL, (size_t)first->count * sizeof *place_of);
     for (int i = 0; i < first->count; i++) {
         bool added;
-        int lanes = unit_lanes(first, i), kind = first->lanes[i];
+        int components = unit_components(first, i), kind = first->components[i];
         program->members[i] = -1;
-        if (is_same(program, offsets[i], lanes))
+        if (is_same(program, offsets[i], components))
             continue;
-        Key key = column_key(program, offsets[i], lanes);
+        Key key = column_key(program, offsets[i], components);
         key.low ^= (uint64_t)kind; /* distinguishes a word from a float */
         int column = key_set_add(&columns, key, &added);
         if (added)

@@ -114,11 +114,11 @@ static void put_constants(Text *out, const Unit *unit, const Written *written)
     int *offsets = unit_offsets(unit);
     text_put(out, ", \"constants\": [");
     for (int i = 0; i < written->member_count; i++) {
-        int number = written->members[i], lanes = unit_lanes(unit, number);
+        int number = written->members[i], components = unit_components(unit, number);
         text_put(out, i ? ", [" : "[");
-        for (int lane = 0; lane < lanes; lane++) {
-            text_put(out, lane ? ", " : "");
-            put_number(out, unit->bits[offsets[number] + lane], unit_is_word(unit, number));
+        for (int component = 0; component < components; component++) {
+            text_put(out, component ? ", " : "");
+            put_number(out, unit->bits[offsets[number] + component], unit_is_word(unit, number));
         }
         text_put(out, "]");
     }

@@ -18,19 +18,19 @@ int unit_pass(const MatcProgram *program)
 
 static void take_numbers(Unit *unit, MatcProgram *program, bool buffered)
 {
-    int lanes = 0;
+    int components = 0;
     unit->count = buffered ? matc_constant_count(program) : matc_place_count(program);
-    unit->lanes = sets_resize(NULL, (size_t)unit->count);
+    unit->components = sets_resize(NULL, (size_t)unit->count);
     unit->bits = sets_resize(NULL, (size_t)unit->count * 4 * sizeof *unit->bits);
     for (int i = 0; i < unit->count; i++) {
         const MatcConstant *number = buffered ? matc_constant(program, i) : matc_place(program, i);
         bool word = number->type[0] == 'u';
-        unit->lanes[i] = (uint8_t)(number->lanes + (word ? UNIT_WORDS : 0));
-        for (int lane = 0; lane < number->lanes; lane++)
-            unit->bits[lanes++] = constant_bits(number->values[lane], word);
+        unit->components[i] = (uint8_t)(number->components + (word ? UNIT_WORDS : 0));
+        for (int component = 0; component < number->components; component++)
+            unit->bits[components++] = constant_bits(number->values[component], word);
     }
-    unit->bit_count = lanes;
-    unit->bits = sets_resize(unit->bits, (size_t)lanes * sizeof *unit->bits);
+    unit->bit_count = components;
+    unit->bits = sets_resize(unit->bits, (size_t)components * sizeof *unit->bits);
 }
 
 static void put_uniforms(Text *out, const MatcProgram *program)
@@ -41,9 +41,9 @@ static void put_uniforms(Text *out, const MatcProgram *program)
         text_put(out, i ? ", " : ", \"uniforms\": {");
         json_key(out, uniform->name);
         text_put(out, "[");
-        for (int lane = 0; lane < uniform->lanes; lane++) {
-            text_put(out, lane ? ", " : "");
-            text_double(out, uniform->initial[lane]);
+        for (int component = 0; component < uniform->components; component++) {
+            text_put(out, component ? ", " : "");
+            text_double(out, uniform->initial[component]);
         }
         text_put(out, "]");
     }
@@ -145,7 +145,7 @@ void written_free(Written *written)
 
 void unit_free(Unit *unit)
 {
-    free(unit->lanes);
+    free(unit->components);
     free(unit->bits);
     free(unit->own);
     free(unit->files);
@@ -157,7 +157,7 @@ int *unit_offsets(const Unit *unit)
     int *offsets = sets_resize(NULL, (size_t)unit->count * sizeof *offsets), at = 0;
     for (int i = 0; i < unit->count; i++) {
         offsets[i] = at;
-        at += unit_lanes(unit, i);
+        at += unit_components(unit, i);
     }
     return offsets;
 }
@@ -190,7 +190,7 @@ void unit_store(Bytes *to, const Unit *unit)
     bytes_add(to, &unit->shape, sizeof unit->shape);
     bytes_number(to, (uint32_t)unit->pass);
     bytes_number(to, (uint32_t)(unit->layout_case + 1));
-    bytes_block(to, unit->lanes, (size_t)unit->count);
+    bytes_block(to, unit->components, (size_t)unit->count);
     bytes_block(to, unit->bits, (size_t)unit->bit_count * sizeof *unit->bits);
     bytes_text(to, unit->own);
     bytes_block(to, unit->files ? (const char *)unit->files : "",
@@ -208,12 +208,12 @@ bool unit_load(BytesReader *from, Unit *unit)
     const void *key = bytes_take(from, sizeof unit->key),
                *shape = bytes_take(from, sizeof unit->shape);
     uint32_t pass = bytes_take_number(from), numbered = bytes_take_number(from);
-    const char *lanes = bytes_take_block(from, &count), *bits = bytes_take_block(from, &size),
+    const char *components = bytes_take_block(from, &count), *bits = bytes_take_block(from, &size),
                *own = bytes_take_text(from);
     const char *files = bytes_take_block(from, &files_size);
     size_t wanted = 0;
     for (size_t i = 0; !from->broken && i < count; i++)
-        wanted += (size_t)(lanes[i] > UNIT_WORDS ? lanes[i] - UNIT_WORDS : lanes[i]);
+        wanted += (size_t)(components[i] > UNIT_WORDS ? components[i] - UNIT_WORDS : components[i]);
     if (from->broken || pass >= PASS_COUNT || numbered > LIMIT_LAYOUT_CASES ||
         size != wanted * sizeof *unit->bits || files_size > MOST_UNIT_FILES * sizeof *unit->files ||
         files_size % sizeof *unit->files)
@@ -224,7 +224,7 @@ bool unit_load(BytesReader *from, Unit *unit)
     unit->layout_case = (int)numbered - 1;
     unit->count = (int)count;
     unit->bit_count = (int)wanted;
-    unit->lanes = copy(lanes, count);
+    unit->components = copy(components, count);
     unit->bits = copy(bits, size);
     unit->own = sets_copy(own);
     unit->file_count = (int)(files_size / sizeof *unit->files);

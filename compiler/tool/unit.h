@@ -22,12 +22,12 @@ typedef struct {
 enum { UNIT_WORDS = 4, MOST_UNIT_FILES = 4 /* max cached programs, newest first */ };
 
 typedef struct Unit {
-    Key key, shape;  /* keys of the program: matc_key and matc_shape */
-    int pass;        /* pass of the program: depth for an opaque material's shadow */
-    int layout_case; /* layout case that it writes; -1: none */
-    int count;       /* numbers that may be in a uniform block: places, or members already */
-    uint8_t *lanes;  /* components of each: 1 to 4 floats; plus UNIT_WORDS for words */
-    uint32_t *bits;  /* all components in sequence: bits of floats, or words */
+    Key key, shape;      /* keys of the program: matc_key and matc_shape */
+    int pass;            /* pass of the program: depth for an opaque material's shadow */
+    int layout_case;     /* layout case that it writes; -1: none */
+    int count;           /* numbers that may be in a uniform block: places, or members already */
+    uint8_t *components; /* components of each: 1 to 4 floats; plus UNIT_WORDS for words */
+    uint32_t *bits;      /* all components in sequence: bits of floats, or words */
     int bit_count;
     /* Members of the manifest's JSON: uniforms and textures, each preceded by ", ". */
     char *own;
@@ -48,14 +48,14 @@ void unit_fill(Unit *unit, MatcProgram *program, bool buffered, const char *text
 /* Returns data about the written program. Buffered: as above. */
 Written *unit_written(MatcProgram *program, bool buffered);
 /* Return a number's component count, and whether it consists of words. */
-static inline int unit_lanes(const Unit *unit, int number)
+static inline int unit_components(const Unit *unit, int number)
 {
-    return unit->lanes[number] > UNIT_WORDS ? unit->lanes[number] - UNIT_WORDS
-                                            : unit->lanes[number];
+    return unit->components[number] > UNIT_WORDS ? unit->components[number] - UNIT_WORDS
+                                                 : unit->components[number];
 }
 static inline bool unit_is_word(const Unit *unit, int number)
 {
-    return unit->lanes[number] > UNIT_WORDS;
+    return unit->components[number] > UNIT_WORDS;
 }
 void unit_free(Unit *unit);
 void written_free(Written *written);

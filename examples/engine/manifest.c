@@ -104,8 +104,8 @@ static void read_settings(Material *material, const Program *program, const cJSO
             fail(material->name, "too many uniforms");
         Setting *setting = &material->uniforms[material->uniform_count++];
         setting->name = item->string;
-        cJSON_ArrayForEach(number, item) if (setting->lanes < 4)
-            setting->numbers[setting->lanes++] = (float)number->valuedouble;
+        cJSON_ArrayForEach(number, item) if (setting->components < 4)
+            setting->numbers[setting->components++] = (float)number->valuedouble;
     }
 }
 

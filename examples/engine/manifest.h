@@ -14,7 +14,7 @@ typedef struct {
     const char *name;
     const char *file; /* of a picture */
     Sampling sampling;
-    int lanes; /* of a uniform */
+    int components; /* of a uniform */
     float numbers[4];
 } Setting;
 

@@ -129,7 +129,7 @@ static void put_vertex(float *out, float u, float v)
 
 static void make_sphere(Scene *s)
 {
-    static const int lanes[] = {3, 3, 2, 3, 3},
+    static const int components[] = {3, 3, 2, 3, 3},
                      corners[6][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 0}, {1, 1}, {0, 1}};
     enum { STRIDE = 14 * sizeof(float) };
     float *vertices = malloc((size_t)ACROSS * UP * 6 * STRIDE), *out = vertices;
@@ -143,9 +143,9 @@ static void make_sphere(Scene *s)
     gl.BindBuffer(GL_ARRAY_BUFFER, buffer);
     gl.BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)ACROSS * UP * 6 * STRIDE, vertices, GL_STATIC_DRAW);
     size_t at = 0;
-    for (GLuint i = 0; i < 5; at += (size_t)lanes[i++] * sizeof(float)) {
+    for (GLuint i = 0; i < 5; at += (size_t)components[i++] * sizeof(float)) {
         gl.EnableVertexAttribArray(i);
-        gl.VertexAttribPointer(i, lanes[i], GL_FLOAT, GL_FALSE, STRIDE, (const void *)at);
+        gl.VertexAttribPointer(i, components[i], GL_FLOAT, GL_FALSE, STRIDE, (const void *)at);
     }
     free(vertices);
 }
@@ -191,7 +191,7 @@ static void set_uniform(GLuint program, const Setting *setting)
     GLint at = gl.GetUniformLocation(program, setting->name);
     /* of one type */
     const PFNGLUNIFORM1FVPROC set[] = {gl.Uniform1fv, gl.Uniform2fv, gl.Uniform3fv, gl.Uniform4fv};
-    set[setting->lanes - 1](at, 1, setting->numbers);
+    set[setting->components - 1](at, 1, setting->numbers);
 }
 
 /* Names are those of matc; a program that does not use one has no location for it, which OpenGL

@@ -118,19 +118,19 @@ static const float *mean_of(Errors *e, const Variant *variant, int slot)
 static Distance picture_distance(int slot, const float *found, const float *wanted)
 {
     const SlotRow *row = &slot_table[slot];
-    int lanes = type_table[row->type].lanes, count = MEASURE_SIDE * MEASURE_SIDE;
+    int components = type_table[row->type].components, count = MEASURE_SIDE * MEASURE_SIDE;
     double most = 0, squares = 0;
     for (int i = 0; i < count; i++)
-        for (int lane = 0; lane < lanes; lane++) {
-            double want = clamp(wanted[4 * i + lane], row->low, row->high),
-                   got = found[4 * i + lane];
+        for (int component = 0; component < components; component++) {
+            double want = clamp(wanted[4 * i + component], row->low, row->high),
+                   got = found[4 * i + component];
             double d = isfinite(got)
                            ? fabs(clamp(got, row->low, row->high) - want) / fmax(1, fabs(want))
                            : INFINITY;
             most = fmax(most, d);
             squares += d * d;
         }
-    return (Distance){most, sqrt(squares / (count * lanes))};
+    return (Distance){most, sqrt(squares / (count * components))};
 }
 
 static Distance find_aliased(Errors *e, const Variant *variant, int slot, Material *material)
@@ -154,8 +154,8 @@ static Distance find_computed(Errors *e, const Variant *variant, int slot, Mater
     SlotValues *found = errors_room(POINTS, sizeof *found);
     if (meter_draw_points(e->meter, material, &e->points, rgba)) {
         for (int i = 0; i < POINTS; i++)
-            for (int lane = 0; lane < 4; lane++)
-                found[i].lane[slot][lane] = rgba[i][lane];
+            for (int component = 0; component < 4; component++)
+                found[i].component[slot][component] = rgba[i][component];
         result = autotune_distance((Slot)slot, found, truth_of(e, variant)->values, POINTS);
     }
     free(found);

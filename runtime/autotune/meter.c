@@ -89,8 +89,8 @@ static bool read_slot(Meter *m, Layout layout, Slot slot, float (*rgba)[4])
 {
     const bool held = m->readers[layout].holds[slot];
     for (int i = 0; i < POINTS && !held; i++)
-        for (int lane = 0; lane < 4; lane++)
-            rgba[i][lane] = NAN;
+        for (int component = 0; component < 4; component++)
+            rgba[i][component] = NAN;
     return !held || reader_read(&m->readers[layout], &m->packed[layout], slot, &rgba[0][0]) ||
            fail(m, "");
 }
@@ -105,8 +105,8 @@ bool meter_draw_packed(Meter *m, Material *material, Layout layout, const Field 
     for (int slot = 0; slot < SLOT_COUNT && fine; slot++) {
         fine = read_slot(m, layout, (Slot)slot, rgba);
         for (int i = 0; i < POINTS; i++)
-            for (int lane = 0; lane < 4; lane++)
-                values[i].lane[slot][lane] = rgba[i][lane];
+            for (int component = 0; component < 4; component++)
+                values[i].component[slot][component] = rgba[i][component];
     }
     free(rgba);
     return fine;

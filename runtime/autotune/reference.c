@@ -31,13 +31,14 @@ static double distance(const SlotRow *row, double found, double wanted)
 Distance autotune_distance(Slot slot, const SlotValues *found, const SlotValues *wanted, int count)
 {
     const SlotRow *row = &slot_table[slot];
-    int lanes = type_table[row->type].lanes;
+    int components = type_table[row->type].components;
     double most = 0, squares = 0;
     for (int i = 0; i < count; i++)
-        for (int lane = 0; lane < lanes; lane++) {
-            double d = distance(row, found[i].lane[slot][lane], wanted[i].lane[slot][lane]);
+        for (int component = 0; component < components; component++) {
+            double d = distance(row, found[i].component[slot][component],
+                                wanted[i].component[slot][component]);
             most = fmax(most, d);
             squares += d * d;
         }
-    return (Distance){most, sqrt(squares / fmax(1, (double)count * lanes))};
+    return (Distance){most, sqrt(squares / fmax(1, (double)count * components))};
 }

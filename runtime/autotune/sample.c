@@ -61,11 +61,12 @@ void sample_surface(const FieldVertex *point, Surface *surface)
                                   [GROUP_DV] = INPUT_DV, [GROUP_U] = INPUT_U, [GROUP_X] = INPUT_X};
     oracle_surface_default(surface);
     for (Group group = 0; group < GROUP_R; group++)
-        for (int lane = 0; lane < type_table[input_table[input[group]].type].lanes; lane++)
-            surface->root[channel_id(group, lane)] = point->input[input[group]][lane];
-    for (int lane = 0; lane < 3; lane++) {
-        surface->local_u[lane] = point->input[INPUT_XU][lane];
-        surface->local_v[lane] = point->input[INPUT_XV][lane];
+        for (int component = 0; component < type_table[input_table[input[group]].type].components;
+             component++)
+            surface->root[channel_id(group, component)] = point->input[input[group]][component];
+    for (int component = 0; component < 3; component++) {
+        surface->local_u[component] = point->input[INPUT_XU][component];
+        surface->local_v[component] = point->input[INPUT_XV][component];
     }
 }
 

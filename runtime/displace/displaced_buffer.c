@@ -62,11 +62,11 @@ bool displaced_fill(GlContext *gl, GLuint buffer, const void *bytes, size_t size
 
 static void put_row(const ShapeVertex *v, float row[ROW_FLOATS])
 {
-    const float lanes[ROW_FLOATS] = {v->position[0], v->position[1], v->position[2], v->uv[0],
-                                     v->normal[0],   v->normal[1],   v->normal[2],   v->uv[1],
-                                     v->tangentU[0], v->tangentU[1], v->tangentU[2], 0,
-                                     v->tangentV[0], v->tangentV[1], v->tangentV[2], 0};
-    memcpy(row, lanes, sizeof lanes);
+    const float components[ROW_FLOATS] = {v->position[0], v->position[1], v->position[2], v->uv[0],
+                                          v->normal[0],   v->normal[1],   v->normal[2],   v->uv[1],
+                                          v->tangentU[0], v->tangentU[1], v->tangentU[2], 0,
+                                          v->tangentV[0], v->tangentV[1], v->tangentV[2], 0};
+    memcpy(row, components, sizeof components);
 }
 
 static void make_framebuffer(const GlContext *gl, Displaced *made)

@@ -120,8 +120,8 @@ vec3 exactShare(int light, vec3 point)
     uint head = uint(light) * EXACT_HEAD;
     vec4 row[4];
     for (int i = 0; i < 4; i++)
-        for (int lane = 0; lane < 4; lane++)
-            row[i][lane] = uintBitsToFloat(exact_words[head + uint(4 * i + lane)]);
+        for (int component = 0; component < 4; component++)
+            row[i][component] = uintBitsToFloat(exact_words[head + uint(4 * i + component)]);
     bool placed = row[0].w > 0.0;
     vec4 from = vec4(placed ? point - row[0].xyz : point, 1.0);
     int cell = exactCell(vec3(dot(row[1], from), dot(row[2], from), dot(row[3], from)), int(exact_words[head + EXACT_VIEWS]),

@@ -41,12 +41,12 @@ static void set(const Renderer *renderer, ScreenPass *pass)
     const SceneCamera *camera = &renderer->scene->camera;
     const double *const axes[3] = {camera->right, camera->up, camera->back};
     for (int i = 0; i < 4; i++) {
-        float lanes[4] = {0, 0, 0, i == 3 ? (float)exact_state(renderer)->triangles.reach : 0};
+        float components[4] = {0, 0, 0, i == 3 ? (float)exact_state(renderer)->triangles.reach : 0};
         for (int k = 0; k < 3; k++)
-            lanes[k] =
+            components[k] =
                 (float)(i < 3 ? axes[i][k]
                               : camera->position[k] - exact_state(renderer)->triangles.origin[k]);
-        material_set(&pass->material, &(MaterialValue){names[i], 4, lanes});
+        material_set(&pass->material, &(MaterialValue){names[i], 4, components});
     }
 }
 

@@ -144,12 +144,12 @@ bool exact_triangles_move(const Scene *scene, const GpuScene *gpu_scene, const i
 }
 
 /* Returns the transmittance of a component; 0 or 1 if shadows are alpha-tested. */
-static float share_of(const Scene *scene, const GpuScenePlace *place, int lane)
+static float share_of(const Scene *scene, const GpuScenePlace *place, int component)
 {
     const float *t = place->even;
     if (!place->transparent)
         return 0;
-    return scene->shadow_colored ? fminf(fmaxf(t[lane], 0), 1) : t[0] + t[1] + t[2] > 1.5f;
+    return scene->shadow_colored ? fminf(fmaxf(t[component], 0), 1) : t[0] + t[1] + t[2] > 1.5f;
 }
 
 static void put_shares(const Scene *scene, const GpuScenePlace *place, int count,

@@ -14,7 +14,7 @@
 typedef struct {
     int material, count;
     char *name;
-    float lanes[4];
+    float components[4];
 } RendererParam;
 
 /* The properties of a light that decide on programs, maps and targets: a change rebuilds them. */

@@ -18,7 +18,7 @@ const char *const mesh_attribute_names[MESH_ATTRIBUTE_end] = {
 };
 
 static const struct {
-    GLint lanes;
+    GLint components;
     size_t offset; /* byte offset in ShapeVertex */
 } attributes[MESH_ATTRIBUTE_end] = {
     [MESH_ATTRIBUTE_position] = {3, offsetof(ShapeVertex, position)},
@@ -36,12 +36,12 @@ static const struct {
 void mesh_point_attributes(const GlContext *gl)
 {
     for (GLuint i = 0; i < MESH_ATTRIBUTE_end; i++) {
-        if (!attributes[i].lanes)
+        if (!attributes[i].components)
             continue; /* the instance's number: mesh_attach() */
         gl->EnableVertexAttribArray(i);
         /* GL takes offsets as pointers */
-        gl->VertexAttribPointer(i, attributes[i].lanes, GL_FLOAT, GL_FALSE, sizeof(ShapeVertex),
-                                (const void *)(uintptr_t)attributes[i].offset);
+        gl->VertexAttribPointer(i, attributes[i].components, GL_FLOAT, GL_FALSE,
+                                sizeof(ShapeVertex), (const void *)(uintptr_t)attributes[i].offset);
     }
 }
 
@@ -110,8 +110,8 @@ bool mesh_make_captured(GlContext *gl, Mesh *made)
         if (i >= MESH_ATTRIBUTE_count && i != MESH_ATTRIBUTE_basePosition)
             continue; /* attributes for displacement are no longer needed */
         gl->EnableVertexAttribArray(i);
-        gl->VertexAttribPointer(i, attributes[i].lanes, GL_FLOAT, GL_FALSE, sizeof(MeshCaptured),
-                                (const void *)(uintptr_t)offset);
+        gl->VertexAttribPointer(i, attributes[i].components, GL_FLOAT, GL_FALSE,
+                                sizeof(MeshCaptured), (const void *)(uintptr_t)offset);
     }
     gl->BindVertexArray(0);
     gl->BindBuffer(GL_ARRAY_BUFFER, 0);

@@ -9,7 +9,8 @@ static const char *fault_of(const PngPicture *picture)
     if (picture->width < 1 || picture->width > PNG_SIZE_LIMIT || picture->height < 1 ||
         picture->height > PNG_SIZE_LIMIT)
         return "the picture has no pixels, or too many";
-    return picture->lanes == 3 || picture->lanes == 4 ? NULL : "a picture has 3 or 4 lanes";
+    return picture->components == 3 || picture->components == 4 ? NULL
+                                                                : "a picture has 3 or 4 lanes";
 }
 
 uint8_t *png_write(const PngPicture *picture, size_t *size, const char **why)
@@ -20,9 +21,9 @@ uint8_t *png_write(const PngPicture *picture, size_t *size, const char **why)
         return NULL;
     image.width = (png_uint_32)picture->width;
     image.height = (png_uint_32)picture->height;
-    image.format = picture->lanes == 4 ? PNG_FORMAT_RGBA : PNG_FORMAT_RGB;
+    image.format = picture->components == 4 ? PNG_FORMAT_RGBA : PNG_FORMAT_RGB;
     /* a negative stride starts at the last row */
-    png_int_32 upwards = -picture->width * picture->lanes;
+    png_int_32 upwards = -picture->width * picture->components;
     png_alloc_size_t room = PNG_IMAGE_PNG_SIZE_MAX(image);
     uint8_t *file = malloc(room);
     if (!file || !png_image_write_to_memory(&image, file, &room, 0, picture->bytes, upwards, NULL))

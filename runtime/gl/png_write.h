@@ -8,7 +8,7 @@ enum { PNG_SIZE_LIMIT = 16384 }; /* max width and height */
 
 typedef struct {
     int width, height;
-    int lanes; /* 3: RGB, 4: RGBA (straight alpha); a byte each, rows not padded */
+    int components; /* 3: RGB, 4: RGBA (straight alpha); a byte each, rows not padded */
     uint8_t *bytes;
 } PngPicture;
 

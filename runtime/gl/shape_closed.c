@@ -23,9 +23,9 @@ static uint64_t place_number(const float position[3])
 {
     uint64_t number = 0x9E3779B97F4A7C15u;
     for (int i = 0; i < 3; i++) {
-        const float lane = position[i] == 0 ? 0 : position[i]; /* -0 equals 0 */
+        const float component = position[i] == 0 ? 0 : position[i]; /* -0 equals 0 */
         uint32_t bits;
-        memcpy(&bits, &lane, sizeof bits);
+        memcpy(&bits, &component, sizeof bits);
         number = mix(number + bits);
     }
     return number;

@@ -39,8 +39,8 @@ bool texture_check(GlContext *gl, const TextureSpec *spec)
     if (spec->width > gl->max_texture_size || spec->height > gl->max_texture_size)
         return gl_fail(gl, "a texture of %d x %d is larger than the driver's %d", spec->width,
                        spec->height, gl->max_texture_size);
-    if (spec->lanes != 1 && spec->lanes != 4)
-        return gl_fail(gl, "a texture has 1 or 4 lanes, not %d", spec->lanes);
+    if (spec->components != 1 && spec->components != 4)
+        return gl_fail(gl, "a texture has 1 or 4 lanes, not %d", spec->components);
     if (!!spec->bytes + !!spec->floats + !!spec->words != 1)
         return gl_fail(gl, "a texture is of bytes, of words or of floats");
     return true;
@@ -66,8 +66,8 @@ static void set_parameters(const GlContext *gl, const TextureSpec *spec)
 static void upload(const GlContext *gl, const TextureSpec *spec)
 {
     static const GLint formats[2][2] = {{GL_R32F, GL_R8}, {GL_RGBA32F, GL_RGBA8}};
-    GLint internal = formats[spec->lanes == 4][spec->bytes != NULL];
-    GLenum format = spec->lanes == 4 ? GL_RGBA : GL_RED;
+    GLint internal = formats[spec->components == 4][spec->bytes != NULL];
+    GLenum format = spec->components == 4 ? GL_RGBA : GL_RED;
     GLenum type = spec->bytes ? GL_UNSIGNED_BYTE : spec->words ? GL_UNSIGNED_SHORT : GL_FLOAT;
     const void *texels = spec->bytes   ? (const void *)spec->bytes
                          : spec->words ? (const void *)spec->words
@@ -98,7 +98,7 @@ void texture_rewrite(const GlContext *gl, GLuint texture, const TextureSpec *spe
 {
     gl->BindTexture(GL_TEXTURE_2D, texture);
     gl->TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, spec->width, spec->height,
-                      spec->lanes == 4 ? GL_RGBA : GL_RED, GL_FLOAT, spec->floats);
+                      spec->components == 4 ? GL_RGBA : GL_RED, GL_FLOAT, spec->floats);
 }
 
 void texture_bind(const GlContext *gl, GLuint texture, int unit)

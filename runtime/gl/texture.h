@@ -8,7 +8,7 @@
  * floats is set. */
 typedef struct {
     int width, height;
-    int lanes;            /* 1 or 4 */
+    int components;       /* 1 or 4 */
     const uint8_t *bytes; /* value = byte / 255: R8, RGBA8 */
     const float *floats;  /* R32F, RGBA32F */
     bool linear;          /* filter; false: nearest */

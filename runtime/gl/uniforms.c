@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static int lanes_of(GLenum type)
+static int components_of(GLenum type)
 {
     switch (type) {
     case GL_FLOAT_VEC2:
@@ -51,7 +51,7 @@ static bool read_uniform(const GlContext *gl, GLuint program, GLuint index, GLin
         return false;
     gl->GetActiveUniform(program, index, longest + 1, NULL, &elements, &uniform->type,
                          uniform->name);
-    uniform->lanes = lanes_of(uniform->type);
+    uniform->components = components_of(uniform->type);
     uniform->location = gl->GetUniformLocation(program, uniform->name);
     uniform->block = -1;
     if (has_blocks(gl))
@@ -123,9 +123,9 @@ int uniforms_find(const GlUniforms *uniforms, const char *name)
 static void set_integers(const GlContext *gl, const GlUniform *plain, const float *values)
 {
     GLint whole[4] = {0};
-    for (int i = 0; i < plain->lanes && i < 4; i++)
+    for (int i = 0; i < plain->components && i < 4; i++)
         whole[i] = (GLint)values[i];
-    switch (plain->lanes) {
+    switch (plain->components) {
     case 1:
         gl->Uniform1iv(plain->location, 1, whole);
         break;
@@ -171,7 +171,7 @@ void uniform_set(const GlContext *gl, const GlUniform *plain, const float *value
     }
 }
 
-static void write_lane(GLenum type, float value, unsigned char *at)
+static void write_component(GLenum type, float value, unsigned char *at)
 {
     if (type == GL_UNSIGNED_INT)
         memcpy(at, &(uint32_t){(uint32_t)value}, 4);
@@ -184,8 +184,10 @@ static void write_lane(GLenum type, float value, unsigned char *at)
 /* Columns of a mat3 are vectors of three, padded to four: offsets 0, 16, 32. */
 void uniform_write(const GlUniform *member, const float *values, unsigned char *block)
 {
-    const int rows = member->lanes == 16 ? 4 : member->lanes == 9 ? 3 : member->lanes;
-    for (int i = 0; i < member->lanes; i++)
-        write_lane(member->type, values[i],
-                   block + member->offset + i / rows * member->stride + i % rows * 4);
+    const int rows = member->components == 16  ? 4
+                     : member->components == 9 ? 3
+                                               : member->components;
+    for (int i = 0; i < member->components; i++)
+        write_component(member->type, values[i],
+                        block + member->offset + i / rows * member->stride + i % rows * 4);
 }

@@ -7,7 +7,7 @@
 typedef struct {
     char *name;
     GLenum type;
-    int lanes;      /* 1-4; 9 and 16 for a matrix */
+    int components; /* 1-4; 9 and 16 for a matrix */
     GLint location; /* of a plain uniform; -1 for a member of a block */
     int block;      /* index of the member's block, or -1 */
     int offset;     /* of a member in its block, in bytes */

@@ -68,12 +68,12 @@ static const char *const types[] = {"", "float", "vec2", "vec3", "vec4"};
 void field_default(const MatcAttribute *attribute, char text[FIELD_DEFAULT_ROOM])
 {
     Arena scratch = {0};
-    Text lanes = text_new(&scratch);
-    for (int lane = 0; lane < attribute->lanes; lane++) {
-        text_put(&lanes, lane ? ", " : "");
-        text_double(&lanes, attribute->initial[lane]);
+    Text components = text_new(&scratch);
+    for (int component = 0; component < attribute->components; component++) {
+        text_put(&components, component ? ", " : "");
+        text_double(&components, attribute->initial[component]);
     }
-    snprintf(text, FIELD_DEFAULT_ROOM, "%s(%s)", types[attribute->lanes], lanes.at);
+    snprintf(text, FIELD_DEFAULT_ROOM, "%s(%s)", types[attribute->components], components.at);
     arena_free(&scratch);
 }
 
@@ -104,7 +104,7 @@ static void write_vertex(Target target, const MatcProgram *program, const char *
         if (located)
             PUT("layout(location = %d) ",
                 location(INPUT_COUNT) + 2 + attribute->location - MESH_ATTRIBUTE_end);
-        PUT("%s %s %s;\n", out, types[attribute->lanes], attribute->varying);
+        PUT("%s %s %s;\n", out, types[attribute->components], attribute->varying);
     }
     PUT("void main() {\n");
     for (int i = 0; i < named; i++) {

@@ -34,14 +34,14 @@ bool material_set(Material *m, const MaterialValue *value)
 {
     int found = uniforms_find(uniforms_of(m), value->name);
     const GlUniform *uniform = found < 0 ? NULL : &uniforms_of(m)->at[found];
-    if (!uniform || uniform->lanes != value->lanes)
+    if (!uniform || uniform->components != value->components)
         return false;
     if (uniform->block >= 0) {
         uniform_write(uniform, value->values, m->blocks[uniform->block].bytes);
         m->blocks[uniform->block].changed = true;
         return true;
     }
-    memcpy(m->values[found], value->values, (size_t)value->lanes * sizeof *value->values);
+    memcpy(m->values[found], value->values, (size_t)value->components * sizeof *value->values);
     return true;
 }
 
@@ -81,7 +81,7 @@ static bool set_textures(Material *m, MatcProgram *program)
         const MatcTexture *t = matc_texture(program, i);
         const TextureSpec spec = {.width = t->width,
                                   .height = t->height,
-                                  .lanes = t->lanes,
+                                  .components = t->components,
                                   .bytes = t->bytes,
                                   .floats = t->floats,
                                   .wrap = texture_wrap(t->wrap),
@@ -100,9 +100,9 @@ static void set_uniforms(Material *m, const MatcProgram *program)
     for (int i = 0; i < matc_uniform_count(program); i++) {
         const MatcUniform *uniform = matc_uniform(program, i);
         float numbers[4] = {0};
-        for (int lane = 0; lane < uniform->lanes; lane++)
-            numbers[lane] = (float)uniform->initial[lane];
-        material_set(m, &(MaterialValue){uniform->name, uniform->lanes, numbers});
+        for (int component = 0; component < uniform->components; component++)
+            numbers[component] = (float)uniform->initial[component];
+        material_set(m, &(MaterialValue){uniform->name, uniform->components, numbers});
     }
 }
 
@@ -112,8 +112,8 @@ static void set_plain_numbers(Material *m, const MatcProgram *program, unsigned 
     for (int i = 0; i < matc_constant_count(program); i++) {
         const MatcConstant *member = matc_constant(program, i);
         float numbers[4] = {0};
-        memcpy(numbers, bytes + member->offset, (size_t)member->lanes * sizeof *numbers);
-        material_set(m, &(MaterialValue){member->name, member->lanes, numbers});
+        memcpy(numbers, bytes + member->offset, (size_t)member->components * sizeof *numbers);
+        material_set(m, &(MaterialValue){member->name, member->components, numbers});
     }
 }
 
@@ -227,7 +227,7 @@ static void use_block(const GlContext *gl, int index, int size, struct MaterialB
 static void use_uniform(const GlContext *gl, const GlUniform *uniform, const float *values,
                         StoreHeld *held)
 {
-    const size_t size = (size_t)uniform->lanes * sizeof *values;
+    const size_t size = (size_t)uniform->components * sizeof *values;
     if (held->known && !memcmp(held->values, values, size))
         return;
     uniform_set(gl, uniform, values);

@@ -12,7 +12,7 @@ enum { MATERIAL_TEXTURES = 32 };
 /* Value of a uniform, converted to the uniform's type (uniforms.h). */
 typedef struct {
     const char *name;
-    int lanes; /* 1-4; 9 and 16 for a matrix, by columns */
+    int components; /* 1-4; 9 and 16 for a matrix, by columns */
     const float *values;
 } MaterialValue;
 

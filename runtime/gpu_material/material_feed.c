@@ -20,8 +20,8 @@ bool material_feed_make(Material *m, const MatcProgram *program, const char **na
         *feed = (MeshFeed){.location = (GLuint)attribute->location};
         /* names in documents are shorter */
         snprintf(feed->name, sizeof feed->name, "%s", attribute->name);
-        for (int lane = 0; lane < 4; lane++)
-            feed->initial[lane] = (float)attribute->initial[lane];
+        for (int component = 0; component < 4; component++)
+            feed->initial[component] = (float)attribute->initial[component];
         if (attribute->location >= MATERIAL_FEED_NAMES)
             return gl_fail(store_context(m->store), "more attributes than there is room for");
         while (count <= attribute->location)

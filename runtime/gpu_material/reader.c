@@ -43,13 +43,13 @@ static void write_main(const ReaderSource *source, char text[MAIN_ROOM])
     for (int slot = 0; slot < SLOT_COUNT; slot++)
         /* a slot of unused cases has its absent value */
         if (layout_has_slot(source->layout, (Slot)slot)) {
-            const int lanes = type_table[slot_table[slot].type].lanes;
+            const int components = type_table[slot_table[slot].type].components;
             const int none = (int)slot_table[slot].absent; /* all absent values are integers */
             PUT("#ifdef SURFACE_HAS_%s\n    if (reader_slot == %d) %s = vec4(s.%s%s);\n#else\n",
-                slot_table[slot].name, slot, value, slot_table[slot].name, fill[lanes]);
+                slot_table[slot].name, slot, value, slot_table[slot].name, fill[components]);
             PUT("    if (reader_slot == %d) %s = vec4(%d.0, vec3(%d.0) * vec3(%d, %d, "
                 "%d));\n#endif\n",
-                slot, value, none, none, lanes > 1, lanes > 2, lanes > 3);
+                slot, value, none, none, components > 1, components > 2, components > 3);
         }
     PUT("}\n");
 #undef PUT

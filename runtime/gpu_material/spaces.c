@@ -1,9 +1,9 @@
 /* Sets the uniforms that are named after transforms. */
 #include "runtime/gpu_material/spaces.h"
 
-static void set(Material *material, const char *name, int lanes, const float *values)
+static void set(Material *material, const char *name, int components, const float *values)
 {
-    material_set(material, &(MaterialValue){name, lanes, values});
+    material_set(material, &(MaterialValue){name, components, values});
 }
 
 /* Clip space with depth from 0 to 1, like the depth buffer. If clip space depth starts at -1,

@@ -170,14 +170,15 @@ const StoreItem *store_program(Store *store, const ProgramText *text)
 
 static Key key_of_texture(const TextureSpec *spec)
 {
-    const size_t lanes = (size_t)spec->width * (size_t)spec->height * (size_t)spec->lanes;
-    const int numbers[] = {spec->width,         spec->height,    spec->lanes, spec->bytes != NULL,
-                           spec->words != NULL, spec->linear,    spec->wrap,  spec->mipmaps,
-                           spec->format,        spec->anisotropy};
+    const size_t components = (size_t)spec->width * (size_t)spec->height * (size_t)spec->components;
+    const int numbers[] = {
+        spec->width,  spec->height, spec->components, spec->bytes != NULL, spec->words != NULL,
+        spec->linear, spec->wrap,   spec->mipmaps,    spec->format,        spec->anisotropy};
     const Key parts[] = {key_of_bytes(numbers, sizeof numbers),
-                         spec->bytes   ? key_of_bytes(spec->bytes, lanes)
-                         : spec->words ? key_of_bytes(spec->words, lanes * sizeof *spec->words)
-                                       : key_of_bytes(spec->floats, lanes * sizeof *spec->floats)};
+                         spec->bytes ? key_of_bytes(spec->bytes, components)
+                         : spec->words
+                             ? key_of_bytes(spec->words, components * sizeof *spec->words)
+                             : key_of_bytes(spec->floats, components * sizeof *spec->floats)};
     return key_of_bytes(parts, sizeof parts);
 }
 

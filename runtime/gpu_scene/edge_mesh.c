@@ -40,8 +40,8 @@ static double greatest(const EdgeMaker *m)
 
 static void cell_of(const EdgeMaker *m, int vertex, int32_t cell[3])
 {
-    for (int lane = 0; lane < 3; lane++)
-        cell[lane] = (int32_t)lrint(position(m, vertex)[lane] * m->scale);
+    for (int component = 0; component < 3; component++)
+        cell[component] = (int32_t)lrint(position(m, vertex)[component] * m->scale);
 }
 
 static void find_places(EdgeMaker *m)

@@ -33,9 +33,10 @@ static void find_box(const GpuSceneSource *source, const GpuScene *gpu_scene, do
         const double *m = source->scene->objects[gpu_scene->places[i].object].world_from_local.m;
         for (int k = 0; k < 3; k++) {
             double middle = m[12 + k], extent = 0;
-            for (int lane = 0; lane < 3; lane++) {
-                middle += m[4 * lane + k] * (box->low[lane] + box->high[lane]) / 2;
-                extent += fabs(m[4 * lane + k]) * (box->high[lane] - box->low[lane]) / 2;
+            for (int component = 0; component < 3; component++) {
+                middle += m[4 * component + k] * (box->low[component] + box->high[component]) / 2;
+                extent +=
+                    fabs(m[4 * component + k]) * (box->high[component] - box->low[component]) / 2;
             }
             low[k] = i ? fmin(low[k], middle - extent) : middle - extent;
             high[k] = i ? fmax(high[k], middle + extent) : middle + extent;

@@ -90,9 +90,9 @@ static void end(GlContext *gl)
     gl->Disable(GL_DEPTH_CLAMP);
 }
 
-static void set(Material *material, const char *name, int lanes, const float *values)
+static void set(Material *material, const char *name, int components, const float *values)
 {
-    material_set(material, &(MaterialValue){name, lanes, values});
+    material_set(material, &(MaterialValue){name, components, values});
 }
 
 static void draw_hulls(GlContext *gl, const GpuScene *gpu_scene, int mesh, const int range[2])

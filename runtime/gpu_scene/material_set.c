@@ -159,8 +159,8 @@ static bool find_through(Maker *m, PassProgram *program)
     if (!packs(program) || strcmp(matc_opacity(program->program), "transparent") != 0)
         return true;
     const MatcNumbers through = matc_eval_slot(of->document, of->index, "", &m->options);
-    for (int i = 0; i < through.lanes; i++)
-        program->through[i] = (float)through.lane[i];
+    for (int i = 0; i < through.components; i++)
+        program->through[i] = (float)through.component[i];
     program->even = !through.fault;
     return program->even || (gl_fail(m->gl, "%s", through.fault),
                              material_set_fail(m->gl, m->scene, program->material));
@@ -277,10 +277,10 @@ static Column column_of(const MaterialSet *set, int first, int place)
     Column column = {.key = key_of_bytes(head->type, strlen(head->type))};
     for (int i = first; i >= 0; i = set->programs[i].next) {
         const MatcConstant *number = matc_place(set->programs[i].program, place);
-        const Key parts[] = {column.key, key_of_bytes(number->values, (size_t)number->lanes *
+        const Key parts[] = {column.key, key_of_bytes(number->values, (size_t)number->components *
                                                                           sizeof *number->values)};
         column.differs |= memcmp(number->values, head->values,
-                                 (size_t)number->lanes * sizeof *number->values) != 0;
+                                 (size_t)number->components * sizeof *number->values) != 0;
         column.key = key_of_bytes(parts, sizeof parts);
     }
     return column;

@@ -142,8 +142,8 @@ static void put_light(const ViewSpace *space, const SceneLight *light, float out
     const double back[3] = {-light->direction[0], -light->direction[1], -light->direction[2]};
     memset(out, 0, LIGHT_TEXELS * sizeof *out);
     to_eye(space, far ? back : light->position, far ? 0 : 1, out[LIGHT_PLACE]);
-    for (int lane = 0; lane < 3; lane++)
-        out[LIGHT_POWER][lane] = (float)light->light[lane];
+    for (int component = 0; component < 3; component++)
+        out[LIGHT_POWER][component] = (float)light->light[component];
     if (row->from == LIGHT_FROM_extent) {
         to_eye(space, light->edges[0], 0, out[LIGHT_AXIS]);
         to_eye(space, light->edges[1], 0, out[LIGHT_CONE]);
@@ -214,9 +214,9 @@ bool view_space_around(const ViewSpace *space, const Scene *scene, const LightKi
         if (light->kind != kind->kind)
             continue;
         there = true;
-        for (int lane = 0; lane < 3; lane++) {
-            numbers[1][lane] = (float)(above[lane] += light->light[lane]);
-            numbers[2][lane] = (float)(below[lane] += light->ground[lane]);
+        for (int component = 0; component < 3; component++) {
+            numbers[1][component] = (float)(above[component] += light->light[component]);
+            numbers[2][component] = (float)(below[component] += light->ground[component]);
         }
     }
     return there;

@@ -53,8 +53,8 @@ static void add_powers(const double u[3], int degree, const double light[3], Pol
     for (int i = 0; i <= degree; i++)
         for (int j = 0; i + j <= degree; j++) {
             const double power = powers[0][i] * powers[1][j] * powers[2][degree - i - j];
-            for (int lane = 0; lane < 3; lane++)
-                sum[i][j][lane] += power * light[lane];
+            for (int component = 0; component < 3; component++)
+                sum[i][j][component] += power * light[component];
         }
 }
 
@@ -82,8 +82,9 @@ static void lower_degree(Polynomial from, int degree, Polynomial to)
 {
     for (int i = 0; i <= degree; i++)
         for (int j = 0; i + j <= degree; j++)
-            for (int lane = 0; lane < 3; lane++)
-                to[i][j][lane] = from[i + 2][j][lane] + from[i][j + 2][lane] + from[i][j][lane];
+            for (int component = 0; component < 3; component++)
+                to[i][j][component] =
+                    from[i + 2][j][component] + from[i][j + 2][component] + from[i][j][component];
 }
 
 /* Multiplies by x^2 + y^2 + z^2: degree d becomes d + 2. */
@@ -92,10 +93,10 @@ static void multiply_by_square(Polynomial p, int degree)
     Polynomial product = {{{0}}};
     for (int i = 0; i <= degree; i++)
         for (int j = 0; i + j <= degree; j++)
-            for (int lane = 0; lane < 3; lane++) {
-                product[i + 2][j][lane] += p[i][j][lane];
-                product[i][j + 2][lane] += p[i][j][lane];
-                product[i][j][lane] += p[i][j][lane];
+            for (int component = 0; component < 3; component++) {
+                product[i + 2][j][component] += p[i][j][component];
+                product[i][j + 2][component] += p[i][j][component];
+                product[i][j][component] += p[i][j][component];
             }
     memcpy(p, product, sizeof product);
 }
@@ -109,8 +110,8 @@ static void add_power(Polynomial moments, int degree, double factor, Polynomial 
         for (int j = 0; i + j <= degree; j++) {
             const double count =
                 factorial(degree) / (factorial(i) * factorial(j) * factorial(degree - i - j));
-            for (int lane = 0; lane < 3; lane++)
-                sum[i][j][lane] += factor * count * moments[i][j][lane];
+            for (int component = 0; component < 3; component++)
+                sum[i][j][component] += factor * count * moments[i][j][component];
         }
 }
 
@@ -121,11 +122,11 @@ static void put_numbers(Polynomial even, double odd[3][3], float out[SKY_WORLD][
     memset(out, 0, SKY_WORLD * sizeof *out);
     for (int i = DEGREE; i >= 0; i--)
         for (int j = DEGREE - i; j >= 0; j--, at++)
-            for (int lane = 0; lane < 3; lane++)
-                out[at][lane] = (float)even[i][j][lane];
+            for (int component = 0; component < 3; component++)
+                out[at][component] = (float)even[i][j][component];
     for (int axis = 0; axis < 3; axis++, at++)
-        for (int lane = 0; lane < 3; lane++)
-            out[at][lane] = (float)(bands[1] * odd[axis][lane]);
+        for (int component = 0; component < 3; component++)
+            out[at][component] = (float)(bands[1] * odd[axis][component]);
 }
 
 static void make_numbers(Moments *m, float out[SKY_WORLD][4])

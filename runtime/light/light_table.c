@@ -23,7 +23,7 @@ static bool write_texture(Renderer *renderer, int unit)
     LightTable *lights = &renderer->light->table;
     const TextureSpec spec = {.width = lights->count < LIGHT_ROW ? lights->count : LIGHT_ROW,
                               .height = (lights->count + LIGHT_ROW - 1) / LIGHT_ROW,
-                              .lanes = 4,
+                              .components = 4,
                               .floats = lights->texels[0]};
     /* making a texture binds it to this unit */
     renderer->gl->ActiveTexture(GL_TEXTURE0 + (GLenum)unit);

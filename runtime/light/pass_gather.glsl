@@ -6,14 +6,14 @@ shared float far_parts[ROWS * PITCH]; // partial sums of a color component, a ro
 shared float far_sums[3 * ROWS];
 
 // Sums a color component over the invocations.
-void farSum(int lane)
+void farSum(int component)
 {
     barrier();
     for (int row = int(gl_LocalInvocationIndex); row < ROWS; row += GROUP) {
         float sum = 0.0;
         for (int i = 0; i < GROUP; i++)
             sum += far_parts[row * PITCH + i];
-        far_sums[3 * row + lane] = sum;
+        far_sums[3 * row + component] = sum;
     }
     barrier();
 }
@@ -37,12 +37,12 @@ void farGather(Group group, int number)
         if ((far_words[at + FAR_NEAR + (i >> 5)] & bit) != 0u) farAddLobe(far, group, lobes);
 #endif
     }
-#define FAR_PART(k) far_parts[(k) * PITCH + self] = sums[k][lane];
-#define FAR_PART_LOBE(k) far_parts[(FAR_TERMS + k) * PITCH + self] = lobes[k][lane];
-    for (int lane = 0; lane < 3; lane++) {
+#define FAR_PART(k) far_parts[(k) * PITCH + self] = sums[k][component];
+#define FAR_PART_LOBE(k) far_parts[(FAR_TERMS + k) * PITCH + self] = lobes[k][component];
+    for (int component = 0; component < 3; component++) {
         FAR_EACH(FAR_PART)
         FAR_EACH_LOBE(FAR_PART_LOBE)
-        farSum(lane);
+        farSum(component);
     }
 }
 
@@ -51,9 +51,9 @@ void farGather(Group group, int number)
 // Returns number i from FAR_ROUGHNESS on.
 float farRoughnessNumber(Group group, int i)
 {
-    int lane = i / 4 % 3, kind = i / 12, k = i % 4;
-    if (kind == 1 && k == 3) return group.view[lane];
-    return far_sums[3 * (FAR_TERMS + (k == 3 ? 0 : 1 + 3 * kind + k)) + lane];
+    int component = i / 4 % 3, kind = i / 12, k = i % 4;
+    if (kind == 1 && k == 3) return group.view[component];
+    return far_sums[3 * (FAR_TERMS + (k == 3 ? 0 : 1 + 3 * kind + k)) + component];
 }
 
 void farKeep(Group group, int number)

@@ -21,7 +21,7 @@ typedef enum {
     UNSIGNED_INT = 5125,
     FLOAT
 } Component;
-enum { LANES = 4, MOST_STRIDE = 252, PLACE = 96 };
+enum { COMPONENTS = 4, MOST_STRIDE = 252, PLACE = 96 };
 
 typedef struct {
     GltfPlace place;
@@ -37,7 +37,7 @@ typedef struct {
 typedef struct {
     const unsigned char *at; /* NULL: all values are 0 */
     size_t stride;
-    int lanes;
+    int components;
     Component component;
     bool normalized;
     /* Sparse substitution of some vertices' values (section 3.6.2.3). NULL: none. */
@@ -55,13 +55,13 @@ static bool is_text(const Tree *tree, const char *text)
     return tree && tree->kind == TREE_scalar && !strcmp(tree->text, text);
 }
 
-static int lanes_of(const Tree *type)
+static int components_of(const Tree *type)
 {
-    static const char *const types[LANES] = {"SCALAR", "VEC2", "VEC3", "VEC4"};
+    static const char *const types[COMPONENTS] = {"SCALAR", "VEC2", "VEC3", "VEC4"};
     int i = 0;
-    while (i < LANES && !is_text(type, types[i]))
+    while (i < COMPONENTS && !is_text(type, types[i]))
         i++;
-    return i < LANES ? i + 1 : 0;
+    return i < COMPONENTS ? i + 1 : 0;
 }
 
 static size_t bytes_of(size_t component)
@@ -78,7 +78,7 @@ static const char *find_bytes(const Reader *r, const Tree *accessor, size_t coun
     GltfBytes bytes;
     const char *why;
     const Tree *index = gltf_file_value(accessor, "bufferView");
-    const size_t size = bytes_of(made->component) * (size_t)made->lanes;
+    const size_t size = bytes_of(made->component) * (size_t)made->components;
     if (!index)
         return NULL;
     if (!gltf_file_view(&r->place, index, &bytes, &why))
@@ -100,11 +100,11 @@ static const char *find_accessor(const Reader *r, const Tree *index, size_t coun
     const size_t component = gltf_file_whole(gltf_file_value(accessor, "componentType"), 0);
     if (!accessor)
         return "its accessor is not there";
-    *made = (Accessor){.lanes = lanes_of(gltf_file_value(accessor, "type")),
+    *made = (Accessor){.components = components_of(gltf_file_value(accessor, "type")),
                        .component = (Component)component,
                        .sparse = gltf_file_value(accessor, "sparse")};
     made->normalized = is_text(gltf_file_value(accessor, "normalized"), "true");
-    if (!made->lanes)
+    if (!made->components)
         return "its accessor's type is none of SCALAR, VEC2, VEC3, VEC4";
     if (!bytes_of(component) || component == UNSIGNED_INT) /* not allowed for attributes */
         return "its accessor's componentType is none of bytes, shorts and floats (5120 to 5123, "
@@ -139,13 +139,14 @@ static float number_at(const Accessor *a, const unsigned char *at)
     }
 }
 
-static void put_numbers(const Accessor *a, size_t count, float (*to)[LANES])
+static void put_numbers(const Accessor *a, size_t count, float (*to)[COMPONENTS])
 {
     const size_t size = bytes_of(a->component);
     for (size_t i = 0; i < count; i++) {
-        to[i][LANES - 1] = 1;
-        for (int lane = 0; lane < a->lanes; lane++)
-            to[i][lane] = a->at ? number_at(a, a->at + i * a->stride + (size_t)lane * size) : 0;
+        to[i][COMPONENTS - 1] = 1;
+        for (int component = 0; component < a->components; component++)
+            to[i][component] =
+                a->at ? number_at(a, a->at + i * a->stride + (size_t)component * size) : 0;
     }
 }
 
@@ -167,7 +168,7 @@ static const unsigned char *sparse_bytes(const Reader *r, const Tree *part, size
 /* Overwrites the values of the vertices listed in a sparse accessor. Returns NULL, or an error
  * message. */
 static const char *put_sparse(const Reader *r, const Accessor *a, size_t vertices,
-                              float (*to)[LANES])
+                              float (*to)[COMPONENTS])
 {
     const Tree *indices = gltf_file_value(a->sparse, "indices");
     const size_t count = gltf_file_whole(gltf_file_value(a->sparse, "count"), 0);
@@ -180,7 +181,7 @@ static const char *put_sparse(const Reader *r, const Accessor *a, size_t vertice
         return "its sparse indices' componentType is none of 5121, 5123, 5125";
     const unsigned char *number = sparse_bytes(r, indices, count * wide, &why);
     Accessor values = *a;
-    values.stride = bytes_of(a->component) * (size_t)a->lanes;
+    values.stride = bytes_of(a->component) * (size_t)a->components;
     values.at =
         number ? sparse_bytes(r, gltf_file_value(a->sparse, "values"), count * values.stride, &why)
                : NULL;
@@ -225,7 +226,7 @@ static bool read_one(Reader *r, const Member *member, ModelPrimitive *primitive)
     if (why)
         return fail(r, member->key, why);
     primitive->values[place] =
-        arena_alloc(r->place.session->arena, primitive->vertex_count * sizeof(float[LANES]));
+        arena_alloc(r->place.session->arena, primitive->vertex_count * sizeof(float[COMPONENTS]));
     put_numbers(&accessor, primitive->vertex_count, primitive->values[place]);
     why = accessor.sparse
               ? put_sparse(r, &accessor, primitive->vertex_count, primitive->values[place])

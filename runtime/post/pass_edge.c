@@ -42,8 +42,10 @@ static bool make_lines(Renderer *renderer)
         return gl_fail(gl, "out of memory");
     const int rows = list.count ? (list.count + LINES_IN_ROW - 1) / LINES_IN_ROW : 1;
     float *floats = texels_of(&list, rows);
-    const TextureSpec spec = {
-        .width = LINES_IN_ROW * EDGE_LIST_TEXELS, .height = rows, .lanes = 4, .floats = floats};
+    const TextureSpec spec = {.width = LINES_IN_ROW * EDGE_LIST_TEXELS,
+                              .height = rows,
+                              .components = 4,
+                              .floats = floats};
     gl->ActiveTexture(GL_TEXTURE0 + LINES_UNIT); /* texture_make binds the new texture */
     renderer->picture->edge.lines =
         floats && texture_check(gl, &spec) ? texture_make(gl, &spec) : 0;

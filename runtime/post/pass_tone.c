@@ -133,7 +133,7 @@ static bool make_whole(Renderer *renderer, int number)
 {
     const TextureSpec spec = {.width = MEASURE_TEXELS,
                               .height = 1,
-                              .lanes = 4,
+                              .components = 4,
                               .floats = renderer->picture->whole_texels[number][0]};
     renderer->gl->ActiveTexture(GL_TEXTURE0); /* texture_make binds the new texture */
     renderer->picture->whole[number] = texture_make(renderer->gl, &spec);

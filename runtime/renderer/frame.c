@@ -70,7 +70,7 @@ static unsigned wanted(const Renderer *renderer)
         return FRAME_BIT(cubes);
     if (pass_positions_is_view(view))
         return FRAME_BIT(positions);
-    if (view && indirect_view_lanes(view))
+    if (view && indirect_view_components(view))
         return FRAME_BIT(ao) | kept;
     for (int target = 0; view && target < FRAME_TARGET_COUNT; target++)
         if (target != FRAME_TARGET_gbuffer && target != FRAME_TARGET_shadow &&

@@ -286,23 +286,23 @@ bool matc_renderer_set_shadows(MatcRenderer *r, int light, const char *method)
     return gl_fail(r->gl, "%s", why);
 }
 
-bool matc_renderer_set_param(MatcRenderer *r, int material, const char *name, const float *lanes,
-                             int count)
+bool matc_renderer_set_param(MatcRenderer *r, int material, const char *name,
+                             const float *components, int count)
 {
-    enum { LANES = 4 };
-    double values[LANES] = {0};
+    enum { COMPONENTS = 4 };
+    double values[COMPONENTS] = {0};
     if (!has(r, material, material_count(r), "material"))
         return false;
-    if (!name || !lanes || count < 1 || count > LANES)
-        return gl_fail(r->gl, "a param has a name, and 1 to %d lanes", LANES);
+    if (!name || !components || count < 1 || count > COMPONENTS)
+        return gl_fail(r->gl, "a param has a name, and 1 to %d lanes", COMPONENTS);
     for (int i = 0; i < count; i++)
-        values[i] = (double)lanes[i];
+        values[i] = (double)components[i];
     if (!are_finite(r, values, count, "the param"))
         return false;
     const SceneDisplaced meshes = scene_displace_param(r->scene, material, name, values, count);
     if (meshes == SCENE_DISPLACED_failed)
         return not_displaced(r);
-    const bool drawn = renderer_param(r->renderer, material, name, lanes, count);
+    const bool drawn = renderer_param(r->renderer, material, name, components, count);
     return meshes == SCENE_DISPLACED_anew ? renderer_changed_meshes(r->renderer)
                                           : drawn || meshes == SCENE_DISPLACED_same;
 }

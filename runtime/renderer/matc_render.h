@@ -138,7 +138,7 @@ MATC_API bool matc_renderer_set_light(MatcRenderer *renderer, int light, const d
 MATC_API bool matc_renderer_set_shadows(MatcRenderer *renderer, int light, const char *method);
 /* Sets a parameter of a document's material, of 1 to 4 components. */
 MATC_API bool matc_renderer_set_param(MatcRenderer *renderer, int material, const char *name,
-                                      const float *lanes, int count);
+                                      const float *components, int count);
 
 /* Sets a perspective camera: angle of view over the picture's shorter side in degrees, between 0
  * and 180; distance of the near plane. */

@@ -161,9 +161,9 @@ static bool check_counts(MatcScene *s, const MatcMesh *mesh)
 static bool check_attributes(MatcScene *s, const MatcMesh *mesh)
 {
     const float *const lists[] = {mesh->normals, mesh->texcoords};
-    static const size_t lanes[] = {3, 2};
+    static const size_t components[] = {3, 2};
     for (int list = 0; list < 2; list++)
-        for (size_t i = 0; lists[list] && i < lanes[list] * (size_t)mesh->vertex_count; i++)
+        for (size_t i = 0; lists[list] && i < components[list] * (size_t)mesh->vertex_count; i++)
             if (!isfinite(lists[list][i]))
                 return message_fail(s->error, sizeof s->error,
                                     "the mesh: a normal or a coordinate is no number");

@@ -43,7 +43,7 @@ static bool is_target(const char *view)
 {
     return renderer_view_is_picture(view) || !strcmp(view, "light") || !strcmp(view, "depth") ||
            !strcmp(view, "shadow") || voxels_view_level(view) >= 0 ||
-           pass_positions_is_view(view) || indirect_view_lanes(view);
+           pass_positions_is_view(view) || indirect_view_components(view);
 }
 
 static Renderer *compose(RendererState *state)
@@ -377,18 +377,18 @@ bool renderer_frame(Renderer *renderer)
     return true;
 }
 
-int renderer_lanes(const Renderer *renderer)
+int renderer_components(const Renderer *renderer)
 {
     const char *view = renderer->options.view;
-    if (view && indirect_view_lanes(view))
-        return indirect_view_lanes(view);
+    if (view && indirect_view_components(view))
+        return indirect_view_components(view);
     if (!view || !strcmp(view, "shown") || !strcmp(view, "light") || voxels_view_level(view) >= 0 ||
         pass_positions_is_view(view))
         return 4;
-    const int lanes = strcmp(view, "depth") && strcmp(view, "shadow")
-                          ? type_table[slot_table[renderer_find_slot(view)].type].lanes
-                          : 1;
-    return lanes == 2 ? 3 : lanes;
+    const int components = strcmp(view, "depth") && strcmp(view, "shadow")
+                               ? type_table[slot_table[renderer_find_slot(view)].type].components
+                               : 1;
+    return components == 2 ? 3 : components;
 }
 
 void renderer_set_tile(Renderer *renderer, int x, int y)

@@ -40,7 +40,7 @@ bool renderer_rebuild(Renderer *renderer, const Scene *scene);
 bool renderer_resize(Renderer *renderer, int width, int height);
 /* Sets a parameter of a material, which is an index in scene->materials. Returns false if none
  * of its programs has a parameter of that name and number of components, 1 to 4. */
-bool renderer_param(Renderer *renderer, int material, const char *name, const float *lanes,
+bool renderer_param(Renderer *renderer, int material, const char *name, const float *components,
                     int count);
 /* Draws a frame. If nothing has changed since the previous frame, the only GL calls are those
  * that bind, clear, draw and dispatch. */
@@ -57,7 +57,7 @@ int renderer_tile_height(const Renderer *renderer);
 void renderer_set_tile(Renderer *renderer, int x, int y);
 /* Returns the components of the view: 4 for light, 1 for depth; for a slot its own number, but 3
  * instead of 2. */
-int renderer_lanes(const Renderer *renderer);
+int renderer_components(const Renderer *renderer);
 /* Reads the tile's view, four floats per pixel, row 0 at the bottom: "shown" is sRGB, "light" is
  * linear, "depth" is in the first component. For depth and slots the last component is the
  * pixel's coverage by surfaces. */

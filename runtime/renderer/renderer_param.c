@@ -45,12 +45,12 @@ static bool keep(Renderer *renderer, int material, const MaterialValue *value)
         param = &params[renderer->param_count++];
         *param = (RendererParam){.material = material, .name = name};
     }
-    param->count = value->lanes;
-    memcpy(param->lanes, value->values, (size_t)value->lanes * sizeof *param->lanes);
+    param->count = value->components;
+    memcpy(param->components, value->values, (size_t)value->components * sizeof *param->components);
     return true;
 }
 
-bool renderer_param(Renderer *renderer, int material, const char *name, const float *lanes,
+bool renderer_param(Renderer *renderer, int material, const char *name, const float *components,
                     int count)
 {
     if (!renderer->scene)
@@ -58,7 +58,7 @@ bool renderer_param(Renderer *renderer, int material, const char *name, const fl
     renderer->uncounted = true; /* the number of alpha-tested fragments may have changed */
     renderer->shadows->drawn = false;
     pass_voxels_forget(renderer);
-    const MaterialValue value = {name, count, lanes};
+    const MaterialValue value = {name, count, components};
     if (!set(renderer, material, &value))
         return gl_fail(renderer->gl, "no program of the material has a param '%s' of %d lanes",
                        name, count);
@@ -69,7 +69,8 @@ void renderer_param_again(Renderer *renderer)
 {
     for (int i = 0; i < renderer->param_count; i++) {
         const RendererParam *param = &renderer->params[i];
-        set(renderer, param->material, &(MaterialValue){param->name, param->count, param->lanes});
+        set(renderer, param->material,
+            &(MaterialValue){param->name, param->count, param->components});
     }
 }
 

@@ -49,9 +49,9 @@ static bool read_samples(Renderer *renderer, float *rgba)
         return framebuffer_read(renderer->gl, &renderer->targets.draws[FRAME_DRAW_light], 0, rgba);
     if (!strcmp(view, "depth"))
         return read_depth(renderer, true, rgba);
-    if (indirect_view_lanes(view))
+    if (indirect_view_components(view))
         return framebuffer_read(renderer->gl, &renderer->targets.draws[FRAME_DRAW_ao], 0, rgba) &&
-               (indirect_view_lanes(view) > 1 || show_last(renderer, rgba));
+               (indirect_view_components(view) > 1 || show_last(renderer, rgba));
     if (voxels_view_level(view) >= 0)
         return framebuffer_read(renderer->gl, &renderer->targets.draws[FRAME_DRAW_cubes], 0, rgba);
     if (pass_positions_is_view(view))
@@ -76,12 +76,13 @@ static void mean(const float *samples, int stride, int n, bool slot, float out[4
     for (int row = 0; row < n; row++)
         for (int column = 0; column < n; column++) {
             const float *sample = samples + 4 * (row * stride + column);
-            for (int lane = 0; lane < 4; lane++)
-                sum[lane] += slot && lane < 3 ? sample[3] * sample[lane] : sample[lane];
+            for (int component = 0; component < 4; component++)
+                sum[component] +=
+                    slot && component < 3 ? sample[3] * sample[component] : sample[component];
         }
-    for (int lane = 0; lane < 4; lane++)
-        out[lane] =
-            (float)(slot && lane < 3 ? sum[lane] / (sum[3] > 0 ? sum[3] : 1) : sum[lane] / (n * n));
+    for (int component = 0; component < 4; component++)
+        out[component] = (float)(slot && component < 3 ? sum[component] / (sum[3] > 0 ? sum[3] : 1)
+                                                       : sum[component] / (n * n));
 }
 
 static void reduce(const Renderer *renderer, const float *samples, float *rgba)

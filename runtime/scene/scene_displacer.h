@@ -14,7 +14,7 @@ typedef struct {
 typedef struct {
     int material;
     char *name;
-    double lanes[4];
+    double components[4];
     int count;
 } SceneDisplacedParam;
 

@@ -71,9 +71,9 @@ static SceneMatrix of_components(const Transform *transform)
     ScenePlace place;
     double *const parts[] = {place.translation, place.rotation, place.scale, place.shear};
     for (int i = 0; i < 4; i++) {
-        double lanes[4];
-        value_number(values[i], TYPE_vec3, lanes);
-        memcpy(parts[i], lanes, 3 * sizeof *lanes);
+        double components[4];
+        value_number(values[i], TYPE_vec3, components);
+        memcpy(parts[i], components, 3 * sizeof *components);
     }
     return scene_matrix_place(&place);
 }

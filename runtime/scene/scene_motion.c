@@ -33,20 +33,20 @@ static void turn_camera(const SceneMotion *motion, double share, SceneCamera *ca
 }
 
 /* Component of key i: of its position, then of its target. */
-static double number(const SceneMotion *motion, int i, int lane)
+static double number(const SceneMotion *motion, int i, int component)
 {
     const SceneKey *key = &motion->keys[i];
-    return lane < POINT ? key->position[lane] : key->target[lane - POINT];
+    return component < POINT ? key->position[component] : key->target[component - POINT];
 }
 
-static double slope(const SceneMotion *motion, int i, int lane)
+static double slope(const SceneMotion *motion, int i, int component)
 {
     const int before = i > 0 ? i - 1 : i, after = i + 1 < motion->key_count ? i + 1 : i;
-    return (number(motion, after, lane) - number(motion, before, lane)) /
+    return (number(motion, after, component) - number(motion, before, component)) /
            (motion->keys[after].time - motion->keys[before].time);
 }
 
-static double at_time(const SceneMotion *motion, double time, int lane)
+static double at_time(const SceneMotion *motion, double time, int component)
 {
     /* Binary search for the last key not after `time`, since paths may have many keys. */
     int i = 0, end = motion->key_count - 1;
@@ -59,10 +59,10 @@ static double at_time(const SceneMotion *motion, double time, int lane)
     }
     const double length = motion->keys[i + 1].time - motion->keys[i].time,
                  t = (time - motion->keys[i].time) / length;
-    return (1 + 2 * t) * (1 - t) * (1 - t) * number(motion, i, lane) +
-           t * (1 - t) * (1 - t) * length * slope(motion, i, lane) +
-           t * t * (3 - 2 * t) * number(motion, i + 1, lane) +
-           t * t * (t - 1) * length * slope(motion, i + 1, lane);
+    return (1 + 2 * t) * (1 - t) * (1 - t) * number(motion, i, component) +
+           t * (1 - t) * (1 - t) * length * slope(motion, i, component) +
+           t * t * (3 - 2 * t) * number(motion, i + 1, component) +
+           t * t * (t - 1) * length * slope(motion, i + 1, component);
 }
 
 static void place_camera(const SceneMotion *motion, double share, SceneCamera *camera)

@@ -11,8 +11,8 @@ int *scene_places(const Shape *shape)
     HashIndex index = {0};
     for (int i = 0; first && i < shape->vertex_count; i++) {
         float place[3];
-        for (int lane = 0; lane < 3; lane++)
-            place[lane] = shape->vertices[i].position[lane] + 0.f; /* -0 becomes 0 */
+        for (int component = 0; component < 3; component++)
+            place[component] = shape->vertices[i].position[component] + 0.f; /* -0 becomes 0 */
         const uint32_t hash = (uint32_t)key_of_bytes(place, sizeof place).low;
         HashProbe probe = hash_probe(&index, hash);
         first[i] = i;
@@ -35,7 +35,7 @@ void scene_places_join(const Shape *shape, const int *first, ShapeVertex *joined
         if (first[i] == i)
             joined[i] = shape->vertices[i];
         else if (memcmp(n, shape->vertices[first[i]].normal, sizeof shape->vertices[i].normal) != 0)
-            for (int lane = 0; lane < 3; lane++)
-                joined[first[i]].normal[lane] += n[lane];
+            for (int component = 0; component < 3; component++)
+                joined[first[i]].normal[component] += n[component];
     }
 }

@@ -30,7 +30,7 @@ static LightParams params_of(const SceneThing *thing)
     LightParams params = {.kind = thing->kind};
     for (int i = 0; i < row->count; i++) {
         const SceneParamRow *param = &scene_param_table[row->first + i];
-        if (param->value == SCENE_VALUE_plain && param->param.lanes == 3)
+        if (param->value == SCENE_VALUE_plain && param->param.components == 3)
             scene_thing_vector(thing, row->first + i, params.at[i]);
         else if (param->value == SCENE_VALUE_plain)
             params.at[i][0] = scene_thing_number(thing, row->first + i);

@@ -18,7 +18,7 @@ typedef struct {
 /* Indices of the parameters that every object has, and of a kind's numbers. */
 typedef struct {
     int transform, material, name;
-    int numbers[3], lanes; /* parameters with `lanes` components each; -1 ends the list */
+    int numbers[3], components; /* parameters with `components` components each; -1 ends the list */
 } ObjectRow;
 
 static const ObjectRow rows[SCENE_KIND_COUNT] = {
@@ -60,7 +60,7 @@ static void read_numbers(const SceneThing *thing, SceneObject *object)
 {
     const ObjectRow *row = &rows[thing->kind];
     for (int i = 0; i < 3 && row->numbers[i] >= 0; i++)
-        if (row->lanes == 3)
+        if (row->components == 3)
             scene_thing_vector(thing, row->numbers[i], object->numbers + 3 * i);
         else
             object->numbers[i] = scene_thing_number(thing, row->numbers[i]);

@@ -191,8 +191,8 @@ static bool emits(const SceneMaterial *material)
     for (size_t i = 0; i < sizeof points / sizeof *points; i++) {
         const MatcNumbers light =
             matc_eval_slot(material->document, material->index, points[i], &options);
-        for (int k = 0; k < light.lanes; k++)
-            any |= light.lane[k] > 0;
+        for (int k = 0; k < light.components; k++)
+            any |= light.component[k] > 0;
     }
     return any;
 }

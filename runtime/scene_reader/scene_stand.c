@@ -149,8 +149,8 @@ static bool move_run(Standing *s, Moving *at, int count)
     for (int i = 0; fine && i < count; i++) {
         memcpy(at[i].around, points + i * SCENE_SURFACE_AROUND, sizeof at[i].around);
         for (int k = 0; k < SCENE_SURFACE_AROUND; k++)
-            for (int lane = 0; lane < 3; lane++)
-                at[i].around[k].position[lane] += at[i].rounded[k][lane];
+            for (int component = 0; component < 3; component++)
+                at[i].around[k].position[component] += at[i].rounded[k][component];
     }
     free(points);
     return fine;

@@ -60,7 +60,7 @@ static void set_defaults(SceneReader *r, SceneThing *thing)
     for (int i = 0; i < row_of(thing)->count; i++) {
         const SceneParamRow *row = &scene_param_table[row_of(thing)->first + i];
         thing->given[i] = NULL;
-        thing->values[i] = row->value == SCENE_VALUE_plain && row->param.lanes
+        thing->values[i] = row->value == SCENE_VALUE_plain && row->param.components
                                ? resolve_default(&r->resolver, &row->param)
                                : (Value){0};
     }
@@ -148,9 +148,9 @@ double scene_thing_number(const SceneThing *thing, int param)
 
 void scene_thing_vector(const SceneThing *thing, int param, double vector[3])
 {
-    double lanes[4];
-    value_number(&thing->values[place_of(thing, param)], TYPE_vec3, lanes);
-    memcpy(vector, lanes, 3 * sizeof *vector);
+    double components[4];
+    value_number(&thing->values[place_of(thing, param)], TYPE_vec3, components);
+    memcpy(vector, components, 3 * sizeof *vector);
 }
 
 const Transform *scene_thing_transform(const SceneThing *thing, int param)

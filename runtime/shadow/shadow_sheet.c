@@ -144,9 +144,9 @@ static bool make_materials(Renderer *renderer)
 
 /* -- uniforms */
 
-static void set(Material *material, const char *name, int lanes, const float *values)
+static void set(Material *material, const char *name, int components, const float *values)
 {
-    material_set(material, &(MaterialValue){name, lanes, values});
+    material_set(material, &(MaterialValue){name, components, values});
 }
 
 static void set_point(Material *material, const char *name, const double point[3])

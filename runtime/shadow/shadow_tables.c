@@ -56,7 +56,7 @@ static bool write_table(GlContext *gl, const float (*from)[4], const int extents
     const int count = extents[0], row = count < ROW ? count : ROW;
     const TextureSpec spec = {.width = row * extents[1],
                               .height = (count + ROW - 1) / ROW,
-                              .lanes = 4,
+                              .components = 4,
                               .floats = from[0]};
     if (*table)
         texture_rewrite(gl, *table, &spec);

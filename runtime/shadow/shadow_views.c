@@ -30,17 +30,17 @@ static void add_corners(Fit *fit, const CullBox *box, const SceneMatrix *world_f
     const double *m = world_from_local->m, *const ends[2] = {box->low, box->high};
     for (int i = 0; i < CORNERS; i++, fit->count++) {
         const double at[3] = {ends[i & 1][0], ends[i >> 1 & 1][1], ends[i >> 2 & 1][2]};
-        for (int lane = 0; lane < 3; lane++)
-            fit->corners[fit->count][lane] =
-                m[lane] * at[0] + m[4 + lane] * at[1] + m[8 + lane] * at[2] + m[12 + lane];
+        for (int component = 0; component < 3; component++)
+            fit->corners[fit->count][component] = m[component] * at[0] + m[4 + component] * at[1] +
+                                                  m[8 + component] * at[2] + m[12 + component];
     }
 }
 
 /* Sets a row of a view matrix: a scaled axis, 0 at `origin`. */
 static void set_row(const double axis[3], double scale, const double origin[3], double row[4])
 {
-    for (int lane = 0; lane < 3; lane++)
-        row[lane] = scale * axis[lane];
+    for (int component = 0; component < 3; component++)
+        row[component] = scale * axis[component];
     row[3] = -scale * vec3_dot(axis, origin);
 }
 
@@ -58,16 +58,17 @@ static double near_of(const Fit *fit, const double position[3])
         for (int i = 0; i < CORNERS; i++) {
             const double *corner = fit->corners[object + i];
             double distance = 0;
-            for (int lane = 0; lane < 3; lane++) {
-                low[lane] = fmin(low[lane], corner[lane]);
-                high[lane] = fmax(high[lane], corner[lane]);
-                distance = hypot(distance, corner[lane] - position[lane]);
+            for (int component = 0; component < 3; component++) {
+                low[component] = fmin(low[component], corner[component]);
+                high[component] = fmax(high[component], corner[component]);
+                distance = hypot(distance, corner[component] - position[component]);
             }
             most = fmax(most, distance);
         }
-        for (int lane = 0; lane < 3; lane++) {
-            const double out =
-                fmax(fmax(low[lane] - position[lane], position[lane] - high[lane]), 0);
+        for (int component = 0; component < 3; component++) {
+            const double out = fmax(
+                fmax(low[component] - position[component], position[component] - high[component]),
+                0);
             square += out * out;
         }
         least = fmin(least, sqrt(square));

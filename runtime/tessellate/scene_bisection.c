@@ -50,10 +50,10 @@ static bool add_vertex(SceneBisection *b, const ShapeVertex *vertex, uint32_t pl
     b->place_of[number] = place;
     if (place == b->place_count)
         return add_place(b, number);
-    for (int lane = 0; lane < 3; lane++)
+    for (int component = 0; component < 3; component++)
         if (memcmp(vertex->normal, b->vertices[b->places[place].first].normal,
                    sizeof vertex->normal) != 0)
-            b->places[place].normal[lane] += vertex->normal[lane];
+            b->places[place].normal[component] += vertex->normal[component];
     return true;
 }
 
@@ -380,8 +380,8 @@ static Order *find_order(const SceneBisection *b)
         const SceneBisectionTriangle *t = &b->triangles[i];
         uint64_t middle[2] = {0};
         for (int corner = 0; corner < 3; corner++)
-            for (int lane = 0; lane < 2; lane++)
-                middle[lane] += (uint64_t)t->weights[corner][lane];
+            for (int component = 0; component < 2; component++)
+                middle[component] += (uint64_t)t->weights[corner][component];
         order[i] = (Order){t->base, (uint32_t)i, spread(middle[0]) | spread(middle[1]) << 1};
     }
     if (order)
@@ -394,8 +394,8 @@ static void put(const SceneBisection *b, const double (*to)[3], uint32_t vertex,
     ShapeVertex *next = &made->vertices[made->vertex_count];
     *next = b->vertices[vertex];
     memcpy(made->base[made->vertex_count], next->position, sizeof *made->base);
-    for (int lane = 0; lane < 3; lane++)
-        next->position[lane] = (float)to[b->place_of[vertex]][lane];
+    for (int component = 0; component < 3; component++)
+        next->position[component] = (float)to[b->place_of[vertex]][component];
     made->vertex_count++;
 }
 
@@ -434,9 +434,9 @@ static double base_area(const SceneBisection *b, int base)
     const uint32_t *index = &b->shape->indices[3 * (size_t)base];
     double e[2][3], sum = 0;
     for (int i = 0; i < 2; i++)
-        for (int lane = 0; lane < 3; lane++)
-            e[i][lane] = (double)b->shape->vertices[index[i + 1]].position[lane] -
-                         b->shape->vertices[index[0]].position[lane];
+        for (int component = 0; component < 3; component++)
+            e[i][component] = (double)b->shape->vertices[index[i + 1]].position[component] -
+                              b->shape->vertices[index[0]].position[component];
     for (int i = 0; i < 3; i++) {
         const double x =
             e[0][(i + 1) % 3] * e[1][(i + 2) % 3] - e[0][(i + 2) % 3] * e[1][(i + 1) % 3];

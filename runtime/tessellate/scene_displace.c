@@ -310,7 +310,7 @@ SceneDisplaced scene_displace_moved(Scene *scene, int first, int count)
 }
 
 SceneDisplaced scene_displace_param(Scene *scene, int material, const char *name,
-                                    const double *lanes, int count)
+                                    const double *components, int count)
 {
     SceneDisplacer *by = scene->displacer;
     double before[4];
@@ -321,11 +321,11 @@ SceneDisplaced scene_displace_param(Scene *scene, int material, const char *name
     if (!param)
         return scene_displacer_fail(by, material, "takes more memory than there is"),
                SCENE_DISPLACED_failed;
-    memcpy(before, param->lanes, sizeof before);
-    memcpy(param->lanes, lanes, (size_t)count * sizeof *lanes);
+    memcpy(before, param->components, sizeof before);
+    memcpy(param->components, components, (size_t)count * sizeof *components);
     const SceneDisplaced made = displace_objects(scene, material, 0, scene->object_count);
     if (made == SCENE_DISPLACED_failed)
-        memcpy(param->lanes, before, sizeof before);
+        memcpy(param->components, before, sizeof before);
     return made;
 }
 

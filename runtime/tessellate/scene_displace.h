@@ -24,7 +24,7 @@ typedef enum {
 SceneDisplaced scene_displace_moved(Scene *scene, int first, int count);
 /* Updates meshes after a param of a material has got another value. */
 SceneDisplaced scene_displace_param(Scene *scene, int material, const char *name,
-                                    const double *lanes, int count);
+                                    const double *components, int count);
 /* Tessellates all meshes by another method of the list Displacing. */
 SceneDisplaced scene_displace_by(Scene *scene, Word method);
 /* Updates view-dependent detail (scene_detail.h) for another picture size. */

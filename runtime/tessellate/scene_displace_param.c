@@ -9,8 +9,9 @@ Key scene_displacer_param_key(const SceneDisplacer *by, int material)
     Key key = {(uint64_t)material, 0};
     for (int i = 0; i < by->param_count; i++)
         if (by->params[i].material == material) {
-            const Key parts[] = {key, key_of_bytes(by->params[i].name, strlen(by->params[i].name)),
-                                 key_of_bytes(by->params[i].lanes, sizeof by->params[i].lanes)};
+            const Key parts[] = {
+                key, key_of_bytes(by->params[i].name, strlen(by->params[i].name)),
+                key_of_bytes(by->params[i].components, sizeof by->params[i].components)};
             key = key_of_bytes(parts, sizeof parts);
         }
     return key;
@@ -24,9 +25,9 @@ void scene_displace_params(const Scene *scene, int material)
         double before[4];
         if (param->material != material)
             continue;
-        matc_set_default(scene->materials[material].document, param->name, param->lanes,
+        matc_set_default(scene->materials[material].document, param->name, param->components,
                          param->count, before);
-        memcpy(param->lanes, before, (size_t)param->count * sizeof *before);
+        memcpy(param->components, before, (size_t)param->count * sizeof *before);
     }
 }
 
@@ -55,7 +56,7 @@ bool scene_displacer_reads(const Scene *scene, int material, const char *name, i
     MatcProgram *program = matc_compile(of->document, of->index, MATC_KEY, &options);
     for (int i = 0; matc_ok(program) && i < matc_uniform_count(program); i++)
         reads |= !strcmp(matc_uniform(program, i)->param, name) &&
-                 matc_uniform(program, i)->lanes == count;
+                 matc_uniform(program, i)->components == count;
     matc_program_free(program);
     return reads;
 }
@@ -77,7 +78,7 @@ SceneDisplacedParam *scene_displacer_param(Scene *scene, int material, const cha
     SceneDisplacedParam *param = &params[by->param_count++];
     *param = (SceneDisplacedParam){material, copy, {0}, count};
     const SceneMaterial *of = &scene->materials[material];
-    /* stores the current default in param->lanes */
-    matc_set_default(of->document, name, param->lanes, count, param->lanes);
+    /* stores the current default in param->components */
+    matc_set_default(of->document, name, param->components, count, param->components);
     return param;
 }

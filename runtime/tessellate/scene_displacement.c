@@ -69,11 +69,13 @@ static bool move_points(void *user, const ShapeVertex *at, int count, double (*t
                                           mover->how->options, points, count);
     for (int i = 0; fine && i < count; i++) {
         double from[3];
-        for (int lane = 0; lane < 3; lane++)
-            from[lane] = points[i].position[lane] - (m->m[12 + lane] + mover->how->origin[lane]);
-        for (int lane = 0; lane < 3; lane++)
-            to[i][lane] = inverse->m[lane] * from[0] + inverse->m[4 + lane] * from[1] +
-                          inverse->m[8 + lane] * from[2];
+        for (int component = 0; component < 3; component++)
+            from[component] = points[i].position[component] -
+                              (m->m[12 + component] + mover->how->origin[component]);
+        for (int component = 0; component < 3; component++)
+            to[i][component] = inverse->m[component] * from[0] +
+                               inverse->m[4 + component] * from[1] +
+                               inverse->m[8 + component] * from[2];
     }
     free(points);
     return fine;
@@ -91,10 +93,11 @@ static bool find_solid(void *user, SceneColumn *columns, int count)
                                            mover->how->options, points, count);
     for (int i = 0; fine && i < count; i++) {
         const double *n = points[i].at.normal, size = fmax(sqrt(vec3_dot(n, n)), 1e-30);
-        for (int lane = 0; lane < 3; lane++)
-            columns[i].along[lane] = (inverse->m[lane] * n[0] + inverse->m[4 + lane] * n[1] +
-                                      inverse->m[8 + lane] * n[2]) /
-                                     size;
+        for (int component = 0; component < 3; component++)
+            columns[i].along[component] =
+                (inverse->m[component] * n[0] + inverse->m[4 + component] * n[1] +
+                 inverse->m[8 + component] * n[2]) /
+                size;
         memcpy(columns[i].heights, points[i].heights, sizeof columns[i].heights);
     }
     free(points);
@@ -154,8 +157,8 @@ static bool move_shape(Mover *mover, Shape *shape)
     const bool fine = to && shape->base;
     for (int i = 0; fine && i < shape->vertex_count; i++) {
         memcpy(shape->base[i], shape->vertices[i].position, sizeof shape->base[i]);
-        for (int lane = 0; lane < 3; lane++)
-            shape->vertices[i].position[lane] = (float)to[at[i]][lane];
+        for (int component = 0; component < 3; component++)
+            shape->vertices[i].position[component] = (float)to[at[i]][component];
     }
     free(to);
     free(at);

@@ -20,18 +20,19 @@ static bool comes_first(const float a[3], const float b[3])
 
 /* Interpolates three values by integer weights that add up to n, in the order of the corners'
  * coordinates. */
-static float mixed(const float *const v[3], const int weight[3], int lane, int n)
+static float mixed(const float *const v[3], const int weight[3], int component, int n)
 {
     double sum = 0;
     for (int k = 0; k < 3; k++)
-        sum += (double)weight[k] * (double)v[k][lane];
+        sum += (double)weight[k] * (double)v[k][component];
     return (float)(sum / n);
 }
 
-static void mix_lanes(const float *const v[3], const int weight[3], int n, int lanes, float *to)
+static void mix_components(const float *const v[3], const int weight[3], int n, int components,
+                           float *to)
 {
-    for (int lane = 0; lane < lanes; lane++)
-        to[lane] = mixed(v, weight, lane, n);
+    for (int component = 0; component < components; component++)
+        to[component] = mixed(v, weight, component, n);
 }
 
 static void unit(float v[3])
@@ -61,15 +62,15 @@ static ShapeVertex between(const ShapeVertex *const corner[3], const int weight[
         at[i] = corner[order[i]];
         sorted[i] = weight[order[i]];
     }
-    mix_lanes((const float *const[]){at[0]->position, at[1]->position, at[2]->position}, sorted, n,
-              3, made.position);
-    mix_lanes((const float *const[]){at[0]->normal, at[1]->normal, at[2]->normal}, sorted, n, 3,
-              made.normal);
-    mix_lanes((const float *const[]){at[0]->uv, at[1]->uv, at[2]->uv}, sorted, n, 2, made.uv);
-    mix_lanes((const float *const[]){at[0]->tangentU, at[1]->tangentU, at[2]->tangentU}, sorted, n,
-              3, made.tangentU);
-    mix_lanes((const float *const[]){at[0]->tangentV, at[1]->tangentV, at[2]->tangentV}, sorted, n,
-              3, made.tangentV);
+    mix_components((const float *const[]){at[0]->position, at[1]->position, at[2]->position},
+                   sorted, n, 3, made.position);
+    mix_components((const float *const[]){at[0]->normal, at[1]->normal, at[2]->normal}, sorted, n,
+                   3, made.normal);
+    mix_components((const float *const[]){at[0]->uv, at[1]->uv, at[2]->uv}, sorted, n, 2, made.uv);
+    mix_components((const float *const[]){at[0]->tangentU, at[1]->tangentU, at[2]->tangentU},
+                   sorted, n, 3, made.tangentU);
+    mix_components((const float *const[]){at[0]->tangentV, at[1]->tangentV, at[2]->tangentV},
+                   sorted, n, 3, made.tangentV);
     unit(made.normal);
     return made;
 }

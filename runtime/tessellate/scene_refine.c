@@ -52,8 +52,8 @@ static void add_triangle(const SceneBisection *b, uint32_t triangle, const Scene
 {
     for (int corner = 0; corner < 3; corner++) {
         Around *at = &around[b->place_of[b->triangles[triangle].vertex[corner]]];
-        for (int lane = 0; lane < 3; lane++)
-            at->sum[lane] += miss->area * miss->mean[lane];
+        for (int component = 0; component < 3; component++)
+            at->sum[component] += miss->area * miss->mean[component];
         at->area += miss->area;
         at->low = fmin(at->low, miss->square);
         at->high = fmax(at->high, miss->square);
@@ -71,8 +71,9 @@ static bool scene_refine_fit(const SceneBisection *b, const SceneMiss *misses, d
     for (size_t i = 0; i < b->count; i++)
         add_triangle(b, (uint32_t)i, &misses[i], around);
     for (size_t i = 0; i < b->place_count; i++)
-        for (int lane = 0; around[i].low > fmax(least, FLAT * around[i].high) && lane < 3; lane++)
-            to[i][lane] += STEP * around[i].sum[lane] / around[i].area;
+        for (int component = 0; around[i].low > fmax(least, FLAT * around[i].high) && component < 3;
+             component++)
+            to[i][component] += STEP * around[i].sum[component] / around[i].area;
     free(around);
     return true;
 }
@@ -125,8 +126,9 @@ static void mixed(const Refiner *r, const SceneBisectionTriangle *t, const int w
     const double *to[3];
     for (int i = 0; i < 3; i++)
         to[i] = r->to[r->b.place_of[t->vertex[i]]];
-    for (int lane = 0; lane < 3; lane++)
-        result[lane] = a * to[0][lane] + b * to[1][lane] + (1 - a - b) * to[2][lane];
+    for (int component = 0; component < 3; component++)
+        result[component] =
+            a * to[0][component] + b * to[1][component] + (1 - a - b) * to[2][component];
 }
 
 static double square_scale(const Refiner *r, const double at[3])
@@ -144,8 +146,9 @@ static double error_of(const Refiner *r, uint32_t triangle)
         const double scale = square_scale(r, r->samples[i].to);
         double at[3], square = 0;
         mixed(r, t, r->samples[i].weights, at);
-        for (int lane = 0; lane < 3; lane++)
-            square += (at[lane] - r->samples[i].to[lane]) * (at[lane] - r->samples[i].to[lane]);
+        for (int component = 0; component < 3; component++)
+            square += (at[component] - r->samples[i].to[component]) *
+                      (at[component] - r->samples[i].to[component]);
         sum += square;
         scaled += square * scale;
         scales += scale;
@@ -173,14 +176,14 @@ static SceneMiss miss_of(const Refiner *r, uint32_t triangle)
     for (uint32_t i = r->first[triangle]; i != NONE; i = r->samples[i].next, count++) {
         double at[3];
         mixed(r, &r->b.triangles[triangle], r->samples[i].weights, at);
-        for (int lane = 0; lane < 3; lane++) {
-            const double off = r->samples[i].to[lane] - at[lane];
-            miss.mean[lane] += off;
+        for (int component = 0; component < 3; component++) {
+            const double off = r->samples[i].to[component] - at[component];
+            miss.mean[component] += off;
             miss.square += off * off;
         }
     }
-    for (int lane = 0; count && lane < 3; lane++)
-        miss.mean[lane] /= count;
+    for (int component = 0; count && component < 3; component++)
+        miss.mean[component] /= count;
     miss.square /= count ? count : 1;
     return miss;
 }
@@ -190,8 +193,8 @@ static double least_square(const Shape *shape)
 {
     double most = 0;
     for (int i = 0; i < shape->vertex_count; i++)
-        for (int lane = 0; lane < 3; lane++)
-            most = fmax(most, fabs((double)shape->vertices[i].position[lane]));
+        for (int component = 0; component < 3; component++)
+            most = fmax(most, fabs((double)shape->vertices[i].position[component]));
     return most * most * ldexp(1, -48);
 }
 
@@ -208,10 +211,11 @@ static void place_sample(const SceneBisectionTriangle *t, size_t number, int wei
         x[0] = 1 - x[0];
         x[1] = 1 - x[1];
     }
-    for (int lane = 0; lane < 2; lane++)
-        weights[lane] =
-            (int)lrint(t->weights[2][lane] + x[0] * (t->weights[0][lane] - t->weights[2][lane]) +
-                       x[1] * (t->weights[1][lane] - t->weights[2][lane]));
+    for (int component = 0; component < 2; component++)
+        weights[component] =
+            (int)lrint(t->weights[2][component] +
+                       x[0] * (t->weights[0][component] - t->weights[2][component]) +
+                       x[1] * (t->weights[1][component] - t->weights[2][component]));
     weights[2] = SCENE_BISECTION_PARTS - weights[0] - weights[1];
 }
 
@@ -399,8 +403,8 @@ static double length_of(const Refiner *r, size_t place)
 {
     const float *from = r->b.vertices[r->b.places[place].first].position;
     double by[3];
-    for (int lane = 0; lane < 3; lane++)
-        by[lane] = r->to[place][lane] - (double)from[lane];
+    for (int component = 0; component < 3; component++)
+        by[component] = r->to[place][component] - (double)from[component];
     return r->how->length ? r->how->length(r->how->user, by) : vec3_length(by);
 }
 

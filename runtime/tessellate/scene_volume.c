@@ -175,9 +175,9 @@ static void set_around(const Making *m, const SceneNode *node, const ShapeVertex
                     *from[] = {way.position, way.normal, way.uv, way.tangentU, way.tangentV},
                     *until[] = {end.position, end.normal, end.uv, end.tangentU, end.tangentV};
         for (int part = 0; part < 5; part++)
-            for (int lane = 0; lane < (part == 2 ? 2 : 3); lane++)
-                to[part][lane] =
-                    at[part][lane] + (float)by * (until[part][lane] - from[part][lane]);
+            for (int component = 0; component < (part == 2 ? 2 : 3); component++)
+                to[part][component] = at[part][component] +
+                                      (float)by * (until[part][component] - from[part][component]);
     }
 }
 
@@ -253,8 +253,8 @@ static void put_point(const Making *m, const SceneSpot *s, uint32_t number, Shap
     made->vertices[number] = base_of(m, &m->cells.nodes[number], s);
     memcpy(made->base[number], s->there.at.position, sizeof made->base[number]);
     point_over(&s->there, s->height, point);
-    for (int lane = 0; lane < 3; lane++)
-        made->vertices[number].position[lane] = (float)point[lane];
+    for (int component = 0; component < 3; component++)
+        made->vertices[number].position[component] = (float)point[component];
 }
 
 typedef struct {

@@ -46,12 +46,12 @@ typedef struct {
 
 ShapeVertex scene_volume_mixed(const ShapeVertex *a, const ShapeVertex *b, double t)
 {
-    enum { LANES = sizeof(ShapeVertex) / sizeof(float) };
-    float from[LANES], to[LANES];
+    enum { COMPONENTS = sizeof(ShapeVertex) / sizeof(float) };
+    float from[COMPONENTS], to[COMPONENTS];
     ShapeVertex made;
     memcpy(from, a, sizeof from);
     memcpy(to, b, sizeof to);
-    for (int i = 0; i < LANES; i++)
+    for (int i = 0; i < COMPONENTS; i++)
         from[i] = (float)((double)from[i] * (1 - t) + (double)to[i] * t);
     memcpy(&made, from, sizeof made);
     return made;

@@ -45,12 +45,12 @@ static bool set_param(MaterialPictures *p, const MatcProgram *program, int numbe
     const Preview *preview = &p->previews[p->shown];
     if (!uniform)
         return fail_unknown(program, param.name, reported->error, room);
-    if (!param_fit(&param, uniform->lanes))
+    if (!param_fit(&param, uniform->components))
         return message_fail(reported->error, room, "--param: '%s' takes %d numbers, not %d",
-                            uniform->param, uniform->lanes, param.lanes);
+                            uniform->param, uniform->components, param.components);
     return scene_pictures_param(p->pictures, uniform->name,
                                 param.values[param_colors(preview->material.document)],
-                                uniform->lanes) ||
+                                uniform->components) ||
            message_fail(reported->error, room, "%s", p->gl->error);
 }
 

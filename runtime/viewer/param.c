@@ -13,9 +13,9 @@ static bool take_uniform(const MatcDocument *document, const MatcOptions *option
         matc_ok(program) && matc_uniform_count(program) == 1 ? matc_uniform(program, 0) : NULL;
     bool found = uniform && !strcmp(uniform->param, param->name);
     if (found) {
-        param->lanes = uniform->lanes;
-        for (int lane = 0; lane < uniform->lanes; lane++)
-            param->values[colors][lane] = (float)uniform->initial[lane];
+        param->components = uniform->components;
+        for (int component = 0; component < uniform->components; component++)
+            param->values[colors][component] = (float)uniform->initial[component];
     }
     matc_program_free(program);
     return found;
@@ -68,18 +68,18 @@ int param_colors(MatcDocument *document)
     return tree && (!strncmp(tree, key + 1, strlen(key + 1)) || strstr(tree, key));
 }
 
-bool param_fit(Param *param, int lanes)
+bool param_fit(Param *param, int components)
 {
     for (int colors = 0; colors < 2; colors++) {
         float *values = param->values[colors];
-        if (param->lanes == 3 && lanes == 4)
+        if (param->components == 3 && components == 4)
             values[3] = 1;
-        else if (param->lanes == 1)
-            for (int lane = 1; lane < lanes; lane++)
-                values[lane] = values[0];
-        else if (param->lanes != lanes)
+        else if (param->components == 1)
+            for (int component = 1; component < components; component++)
+                values[component] = values[0];
+        else if (param->components != components)
             return false;
     }
-    param->lanes = lanes;
+    param->components = components;
     return true;
 }

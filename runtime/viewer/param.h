@@ -11,9 +11,9 @@ enum {
 
 typedef struct {
     char name[PARAM_NAME];
-    int lanes; /* 1 to 4 */
-    /* [0]: for documents with linear colors, [1]: for sRGB documents; the first `lanes` of each
-     * are set */
+    int components; /* 1 to 4 */
+    /* [0]: for documents with linear colors, [1]: for sRGB documents; the first `components` of
+     * each are set */
     float values[2][16];
 } Param;
 
@@ -25,7 +25,7 @@ const char *param_read(const char *text, Param *param, char room[PARAM_ROOM]);
  * else 0. */
 int param_colors(MatcDocument *document);
 
-/* Converts the values to a uniform of `lanes` components. A scalar fills all components; RGB
+/* Converts the values to a uniform of `components` components. A scalar fills all components; RGB
  * gets alpha 1 in a vec4. Returns false for any other size mismatch. */
-bool param_fit(Param *param, int lanes);
+bool param_fit(Param *param, int components);
 #endif

@@ -45,7 +45,7 @@ static exr_result_t add_channels(ExrWriter *w)
     static const char *const names[] = {[1] = "Y", [3] = "RGB", [4] = "RGBA"};
     const exr_pixel_type_t type = w->spec.bits == 16 ? EXR_PIXEL_HALF : EXR_PIXEL_FLOAT;
     exr_result_t code = EXR_ERR_SUCCESS;
-    for (const char *name = names[w->spec.lanes]; *name && code == EXR_ERR_SUCCESS; name++)
+    for (const char *name = names[w->spec.components]; *name && code == EXR_ERR_SUCCESS; name++)
         code = exr_add_channel(
             w->exr, 0, (char[]){*name, 0}, type,
             w->spec.color ? EXR_PERCEPTUALLY_LOGARITHMIC : EXR_PERCEPTUALLY_LINEAR, 1, 1);

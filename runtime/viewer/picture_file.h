@@ -12,9 +12,9 @@ typedef enum { PICTURE_FORMAT_png, PICTURE_FORMAT_exr } PictureFormat;
 typedef struct {
     PictureFormat format;
     int width, height;
-    int lanes;  /* 1, 3 or 4 components: gray, RGB, RGBA; OpenEXR channels: Y, R G B, R G B A */
-    int bits;   /* per component. PNG: 8 or 16, unorm; OpenEXR: 16 (half) or 32 (float) */
-    bool color; /* sRGB colors, which a PNG declares; else plain numbers */
+    int components; /* 1, 3 or 4 components: gray, RGB, RGBA; OpenEXR channels: Y, R G B, R G B A */
+    int bits;       /* per component. PNG: 8 or 16, unorm; OpenEXR: 16 (half) or 32 (float) */
+    bool color;     /* sRGB colors, which a PNG declares; else plain numbers */
 } PictureSpec;
 
 /* Sets the format from a path's extension; a name without extension leaves *format unchanged.
@@ -26,7 +26,7 @@ typedef struct PictureFile PictureFile;
 /* Opens a picture. Returns NULL with the reason in *why. */
 PictureFile *picture_file_open(const PictureSpec *spec, const char **why);
 /* Writes the next row, top row first. `rgba` has four floats per pixel, of which the first
- * `lanes` are written. Returns NULL, or an error message. */
+ * `components` are written. Returns NULL, or an error message. */
 const char *picture_file_row(PictureFile *file, const float *rgba);
 /* Writes the completed picture to a path with output_write. Returns NULL, or an error message. */
 const char *picture_file_finish(PictureFile *file, const char *path);

@@ -41,7 +41,7 @@ static bool write_head(PngWriter *w, FILE *out)
         return false;
     png_init_io(w->png, out);
     png_set_IHDR(w->png, w->info, (png_uint_32)spec->width, (png_uint_32)spec->height, spec->bits,
-                 types[spec->lanes], PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
+                 types[spec->components], PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
                  PNG_FILTER_TYPE_DEFAULT);
     if (spec->color)
         png_set_sRGB_gAMA_and_cHRM(w->png, w->info, PNG_sRGB_INTENT_PERCEPTUAL);
@@ -55,7 +55,7 @@ static void *open_png(const PictureSpec *spec, FILE *out, const char **why)
     if (!w)
         memory_exhausted();
     w->spec = *spec;
-    w->row = calloc((size_t)spec->width, (size_t)(spec->lanes * spec->bits / 8));
+    w->row = calloc((size_t)spec->width, (size_t)(spec->components * spec->bits / 8));
     w->png = png_create_write_struct(PNG_LIBPNG_VER_STRING, w, on_error, on_warning);
     w->info = w->png ? png_create_info_struct(w->png) : NULL;
     if (!w->row || !w->info)
@@ -68,18 +68,18 @@ static void *open_png(const PictureSpec *spec, FILE *out, const char **why)
 }
 
 /* Rounds a value in [0, 1] to an integer of 8 or 16 bits; NaN gives 0. */
-static unsigned whole_of(float lane, int bits)
+static unsigned whole_of(float component, int bits)
 {
     const double most = bits == 8 ? 255 : 65535;
-    return lane > 0 ? (unsigned)lrint(most * fmin(lane, 1)) : 0;
+    return component > 0 ? (unsigned)lrint(most * fmin(component, 1)) : 0;
 }
 
 static const char *row_png(void *state, const float *rgba)
 {
     PngWriter *w = state;
-    const int lanes = w->spec.lanes, bits = w->spec.bits;
-    for (int i = 0; i < w->spec.width * lanes; i++) {
-        const unsigned whole = whole_of(rgba[i / lanes * 4 + i % lanes], bits);
+    const int components = w->spec.components, bits = w->spec.bits;
+    for (int i = 0; i < w->spec.width * components; i++) {
+        const unsigned whole = whole_of(rgba[i / components * 4 + i % components], bits);
         if (bits == 8)
             w->row[i] = (png_byte)whole;
         else

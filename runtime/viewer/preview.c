@@ -39,7 +39,7 @@ static double find_azimuth(const SceneMaterial *material, const MatcOptions *opt
     evaluate_material(material->document, material->index, options,
                       (SurfacePoints){surfaces, STEPS}, values);
     for (int i = 0; i < STEPS; i++) {
-        const double *rgb = values[i].lane[SLOT_emissive], bright = rgb[0] + rgb[1] + rgb[2];
+        const double *rgb = values[i].component[SLOT_emissive], bright = rgb[0] + rgb[1] + rgb[2];
         azimuth = bright > best ? i * step : azimuth;
         best = bright > best ? bright : best;
     }

@@ -34,11 +34,11 @@ static PictureSpec spec_of(const ScenePictures *p)
     const bool exr = o->format == PICTURE_FORMAT_exr;
     const char *view = o->renderer.view ? o->renderer.view : "shown";
     const bool color = is_picture(view) || !strcmp(view, "light");
-    const int lanes = o->look ? 3 : renderer_lanes(renderer);
+    const int components = o->look ? 3 : renderer_components(renderer);
     return (PictureSpec){.format = o->format,
                          .width = renderer_width(renderer),
                          .height = renderer_height(renderer),
-                         .lanes = lanes == 4 && !exr ? 3 : lanes,
+                         .components = components == 4 && !exr ? 3 : components,
                          .bits = o->bits ? o->bits
                                  : !exr  ? 8
                                  : color ? 16
@@ -216,9 +216,9 @@ char *scene_pictures_diagnostics(const ScenePictures *p)
     return renderer_diagnostics(p->renderer);
 }
 
-bool scene_pictures_param(ScenePictures *p, const char *uniform, const float *lanes, int count)
+bool scene_pictures_param(ScenePictures *p, const char *uniform, const float *components, int count)
 {
-    return renderer_param(p->renderer, 0, uniform, lanes, count);
+    return renderer_param(p->renderer, 0, uniform, components, count);
 }
 
 static void forget_band(ScenePictures *p)

@@ -34,7 +34,7 @@ bool scene_pictures_show(ScenePictures *pictures, const Scene *scene);
 /* Returns the compiler warnings of the scene's programs, from malloc. */
 char *scene_pictures_diagnostics(const ScenePictures *pictures);
 /* Sets a uniform of the scene's first material. Returns false with the reason in gl->error. */
-bool scene_pictures_param(ScenePictures *pictures, const char *uniform, const float *lanes,
+bool scene_pictures_param(ScenePictures *pictures, const char *uniform, const float *components,
                           int count);
 /* Updates the renderer after the camera of `seen` moved. `seen` is the drawn copy of `scene` and
  * shares its objects and lights. After a large movement both get a new origin. Returns false

@@ -88,10 +88,10 @@ void slot_look_show(const SlotLook *look, float *rgba, size_t pixels)
     for (float *end = rgba + 4 * pixels; rgba < end; rgba += 4) {
         const double share = rgba[3];
         /* Component 0 is written last, since all components of a gray pixel read it. */
-        for (int lane = 2; lane >= 0; lane--) {
+        for (int component = 2; component >= 0; component--) {
             const double value =
-                share * shown(look->look, rgba[grey ? 0 : lane]) + (1 - share) * nothing;
-            rgba[lane] =
+                share * shown(look->look, rgba[grey ? 0 : component]) + (1 - share) * nothing;
+            rgba[component] =
                 (float)(look->look == COLOR ? slot_encoded(value) : fmin(fmax(value, 0), 1));
         }
         rgba[3] = 1;

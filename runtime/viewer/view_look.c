@@ -35,23 +35,23 @@ static void show_depth(const SceneCamera *camera, float rgba[4])
     }
     const double distance = distance_of(camera, rgba[0]);
     const double shown = isinf(distance) ? 0 : square / (square + distance * distance);
-    for (int lane = 0; lane < 3; lane++)
-        rgba[lane] = (float)shown;
+    for (int component = 0; component < 3; component++)
+        rgba[component] = (float)shown;
 }
 
 /* Shows radiance as sRGB, clamped at 1. */
 static void show_light(const SceneCamera *camera, float rgba[4])
 {
     (void)camera;
-    for (int lane = 0; lane < 3; lane++)
-        rgba[lane] = (float)slot_encoded(rgba[lane]);
+    for (int component = 0; component < 3; component++)
+        rgba[component] = (float)slot_encoded(rgba[component]);
 }
 
 static void show_direction(const SceneCamera *camera, float rgba[4])
 {
     (void)camera;
-    for (int lane = 0; lane < 3; lane++)
-        rgba[lane] = .5f + .5f * rgba[lane];
+    for (int component = 0; component < 3; component++)
+        rgba[component] = .5f + .5f * rgba[component];
 }
 
 static const ViewLook looks[] = {{"depth", false, show_depth},

@@ -110,7 +110,7 @@ static bool set_textures(Material *made, const cJSON *use, const cJSON *reflecti
     cJSON_ArrayForEach(texture, cJSON_GetObjectItem(use, "textures"))
     {
         TextureSpec spec = {
-            .width = PICTURE_SIDE, .height = PICTURE_SIDE, .lanes = 4, .bytes = bytes};
+            .width = PICTURE_SIDE, .height = PICTURE_SIDE, .components = 4, .bytes = bytes};
         set_sampler(&spec, cJSON_GetObjectItem(reflection, "textures"), texture->string);
         fine = fine && material_set_texture(made, texture->string, &spec);
     }

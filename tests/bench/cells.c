@@ -39,7 +39,7 @@ static double edge_slope(const CellsPair *pair, const CellsQuestion *q)
     return sum;
 }
 
-/* Where the point lies counts by one lane, whose mean is 0. */
+/* Where the point lies counts by one component, whose mean is 0. */
 static void values_of(const CellsPair *pair, double value[MEASURES])
 {
     const double all[MEASURES] = {pair->first.distance, pair->second.distance,

@@ -24,7 +24,7 @@ typedef struct {
     Material material;
     FieldVertex points[POINTS];
     SlotValues first[POINTS], second[POINTS];
-    double *codes; /* that one lane was read back as, in the order of the sweep */
+    double *codes; /* that one component was read back as, in the order of the sweep */
     long read, changed;
 } Sweep;
 
@@ -37,15 +37,16 @@ static bool draw(Sweep *s, SlotValues *values)
     return done;
 }
 
-/* The lane is fed what it was read as. */
-static bool check_lane(Sweep *s, Slot slot, int lane)
+/* The component is fed what it was read as. */
+static bool check_component(Sweep *s, Slot slot, int component)
 {
     for (int i = 0; i < POINTS; i++)
-        s->points[i].input[INPUT_X][0] = (float)s->first[i].lane[slot][lane];
+        s->points[i].input[INPUT_X][0] = (float)s->first[i].component[slot][component];
     if (!draw(s, s->second))
         return false;
     for (int i = 0; i < POINTS; i++, s->read++)
-        s->changed += s->second[i].lane[slot][lane] != s->first[i].lane[slot][lane];
+        s->changed +=
+            s->second[i].component[slot][component] != s->first[i].component[slot][component];
     return true;
 }
 
@@ -56,10 +57,11 @@ static bool check_batch(Sweep *s, int from, int steps)
     if (!draw(s, s->first))
         return false;
     for (int i = 0; i < POINTS; i++)
-        s->codes[from + i] = s->first[i].lane[SLOT_specular][0];
+        s->codes[from + i] = s->first[i].component[SLOT_specular][0];
     for (int k = 0; k < SLOTS; k++)
-        for (int lane = 0; lane < 3 && s->bench->meter->readers[s->layout].holds[slots[k]]; lane++)
-            if (!check_lane(s, slots[k], lane))
+        for (int component = 0;
+             component < 3 && s->bench->meter->readers[s->layout].holds[slots[k]]; component++)
+            if (!check_component(s, slots[k], component))
                 return false;
     return true;
 }

@@ -11,7 +11,7 @@
 
 enum { BATCHES = 32, QUICK_BATCHES = 4, LONGEST_DOCUMENT = 2048 };
 
-/* The lanes of a colour are x, 1 - x and a part of [0, 1]; light is up to 64. */
+/* The components of a colour are x, 1 - x and a part of [0, 1]; light is up to 64. */
 #define COLOR                                                                                      \
     "{ map: Blend, blend: [{ value: 0, input: [0, 1, 0.2] }, { value: 1, input: [1, 0, 0.7] }], "  \
     "input: *t }\n"
@@ -52,15 +52,15 @@ static void note(Errors *errors, int slot, double error)
     errors->count[slot]++;
 }
 
-static double greatest_lane(const SlotValues *values, int slot)
+static double greatest_component(const SlotValues *values, int slot)
 {
     double greatest = 1;
-    for (int lane = 0; lane < type_table[slot_table[slot].type].lanes; lane++)
-        greatest = fmax(greatest, fabs(values->lane[slot][lane]));
+    for (int component = 0; component < type_table[slot_table[slot].type].components; component++)
+        greatest = fmax(greatest, fabs(values->component[slot][component]));
     return greatest;
 }
 
-/* In units of max(1, the greatest lane); the normal in degrees. */
+/* In units of max(1, the greatest component); the normal in degrees. */
 static void compare(const Sweep *s, Errors *errors)
 {
     for (int i = 0; i < POINTS; i++)
@@ -71,11 +71,14 @@ static void compare(const Sweep *s, Errors *errors)
                 continue;
             if (slot == SLOT_normal)
                 note(errors, slot,
-                     normal_angle((double[]){n[0], n[1], n[2]}, s->got[i].lane[slot]));
-            for (int lane = 0; slot != SLOT_normal && lane < type_table[row->type].lanes; lane++) {
-                double want = fmin(fmax(s->want[i].lane[slot][lane], row->low), row->high);
+                     normal_angle((double[]){n[0], n[1], n[2]}, s->got[i].component[slot]));
+            for (int component = 0;
+                 slot != SLOT_normal && component < type_table[row->type].components; component++) {
+                double want =
+                    fmin(fmax(s->want[i].component[slot][component], row->low), row->high);
                 note(errors, slot,
-                     fabs(s->got[i].lane[slot][lane] - want) / greatest_lane(&s->want[i], slot));
+                     fabs(s->got[i].component[slot][component] - want) /
+                         greatest_component(&s->want[i], slot));
             }
         }
 }

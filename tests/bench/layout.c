@@ -33,12 +33,12 @@ static double measure(Canvas *canvas, const char *functions, const char *express
 /* A call of a library function, and what comes of it. */
 typedef struct {
     const char *function, *value;
-    int bits;  /* its second argument; 0: it has none */
-    int lanes; /* of its result */
+    int bits;       /* its second argument; 0: it has none */
+    int components; /* of its result */
     bool words;
 } Call;
 
-/* A call as a pixel of the target; a result of fewer lanes is repeated or filled up. */
+/* A call as a pixel of the target; a result of fewer components is repeated or filled up. */
 static double measure_call(Canvas *canvas, const Call *call)
 {
     static const char *const fill[] = {"", "", ", 0.0, 0.0", ", 0.0", ""};
@@ -46,7 +46,7 @@ static double measure_call(Canvas *canvas, const Call *call)
     if (call->bits)
         snprintf(last, sizeof last, ", %d", call->bits);
     snprintf(text, sizeof text, "%s(%s(%s%s)%s)", call->words ? "uvec4" : "vec4", call->function,
-             call->value, last, fill[call->lanes]);
+             call->value, last, fill[call->components]);
     return measure(canvas, call->function, text, call->words);
 }
 
@@ -65,7 +65,7 @@ static void put_row(Canvas *canvas, const FieldRow *field)
     Text name = text_new(&arena), error = text_new(&arena);
     bench_show(row->name);
     int bits = strchr(function_arguments(row->pack), 'i') ? field->bits : 0;
-    int packed = row->words ? 1 : type_table[function_row(row->pack)->result].lanes;
+    int packed = row->words ? 1 : type_table[function_row(row->pack)->result].components;
     layout_put_encoding(&name, field);
     describe_error(&error, field);
     snprintf(empty, sizeof empty, "%s(%s%s)", "vec4", input,

@@ -51,7 +51,7 @@ static void reader_text(const LayoutRow *layout, char *text)
     for (int slot = 0; slot < SLOT_COUNT; slot++)
         if (layout_has_slot(layout, (Slot)slot))
             size += snprintf(text + size, (size_t)(TEXT_ROOM - size), "    color%s += s.%s;\n",
-                             swizzle[type_table[slot_table[slot].type].lanes - 1],
+                             swizzle[type_table[slot_table[slot].type].components - 1],
                              slot_table[slot].name);
     snprintf(text + size, (size_t)(TEXT_ROOM - size), "}\n");
 }

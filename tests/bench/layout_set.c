@@ -66,10 +66,10 @@ static void put_reader(char *text)
                         "    Surface s = unpackSurface(ivec2(gl_FragCoord.xy));\n"
                         "    color = vec4(0.0);\n");
     for (int slot = 0; slot < SLOT_COUNT; slot++)
-        size +=
-            snprintf(text + size, (size_t)(TEXT_ROOM - size),
-                     "#ifdef SURFACE_HAS_%s\n    color%s += s.%s;\n#endif\n", slot_table[slot].name,
-                     swizzle[type_table[slot_table[slot].type].lanes - 1], slot_table[slot].name);
+        size += snprintf(
+            text + size, (size_t)(TEXT_ROOM - size),
+            "#ifdef SURFACE_HAS_%s\n    color%s += s.%s;\n#endif\n", slot_table[slot].name,
+            swizzle[type_table[slot_table[slot].type].components - 1], slot_table[slot].name);
     snprintf(text + size, (size_t)(TEXT_ROOM - size), "}\n");
 }
 

@@ -56,18 +56,19 @@ static double slot_error(const Sweep *s, int point, int slot)
     double most = 0;
     if (slot == SLOT_normal) {
         const float *n = s->points[point].input[INPUT_eyeN];
-        return normal_angle((double[]){n[0], n[1], n[2]}, s->got[point].lane[slot]);
+        return normal_angle((double[]){n[0], n[1], n[2]}, s->got[point].component[slot]);
     }
-    for (int lane = 0; lane < type_table[slot_table[slot].type].lanes; lane++)
-        most = fmax(most, fabs(s->got[point].lane[slot][lane] - s->want[point].lane[slot][lane]));
+    for (int component = 0; component < type_table[slot_table[slot].type].components; component++)
+        most = fmax(most, fabs(s->got[point].component[slot][component] -
+                               s->want[point].component[slot][component]));
     return most;
 }
 
 static bool is_reported(const SlotValues *values, int slot)
 {
     bool reported = slot == SLOT_normal;
-    for (int lane = 0; lane < type_table[slot_table[slot].type].lanes; lane++)
-        reported |= values->lane[slot][lane] != slot_table[slot].absent;
+    for (int component = 0; component < type_table[slot_table[slot].type].components; component++)
+        reported |= values->component[slot][component] != slot_table[slot].absent;
     return reported;
 }
 

@@ -19,8 +19,8 @@ static const float relief[WIDTH * HEIGHT] = {
     0.75f, -0.9f,  0.2f, -0.05f, 0.45f, 1.0f,  -0.6f, 0.8f,  0.15f, -1.3f, 0.7f,  0.3f,
     -0.8f, 0.55f,  1.1f, -0.2f,  0.4f,  -0.5f, 0.95f, 0.0f,  -1.0f, 0.65f, 0.25f};
 const ReferenceTexture call_textures[CALL_TEXTURES] = {
-    {.width = WIDTH, .height = HEIGHT, .lanes = 4, .bytes = picture},
-    {.width = WIDTH, .height = HEIGHT, .lanes = 1, .floats = relief}};
+    {.width = WIDTH, .height = HEIGHT, .components = 4, .bytes = picture},
+    {.width = WIDTH, .height = HEIGHT, .components = 1, .floats = relief}};
 /* GroIMP's tables, for who asks for them. */
 static bool set_tables(Material *material)
 {
@@ -33,9 +33,9 @@ static bool set_tables(Material *material)
     for (int i = 0; i < 4 * RANDOM_COUNT; i++)
         random[i] = reference_random_table()[(i / 4 + i % 4) % RANDOM_COUNT];
     const TextureSpec specs[] = {
-        {.width = SIDE, .height = SIDE, .lanes = 1, .floats = permutation, .wrap = GL_REPEAT},
-        {.width = RANDOM_COUNT, .height = 1, .lanes = 4, .floats = random, .wrap = GL_REPEAT},
-        {.width = SIDE, .height = SIDE, .lanes = 1, .bytes = xor, .wrap = GL_REPEAT}};
+        {.width = SIDE, .height = SIDE, .components = 1, .floats = permutation, .wrap = GL_REPEAT},
+        {.width = RANDOM_COUNT, .height = 1, .components = 4, .floats = random, .wrap = GL_REPEAT},
+        {.width = SIDE, .height = SIDE, .components = 1, .bytes = xor, .wrap = GL_REPEAT}};
     return material_set_texture(material, "matc_permutation", &specs[0]) &&
            material_set_texture(material, "matc_random", &specs[1]) &&
            material_set_texture(material, "matc_xor", &specs[2]);
@@ -48,12 +48,12 @@ static bool set_textures(Material *material, Tuple *tuples, int source, bool lin
     return material_set_texture(material, "arguments",
                                 &(TextureSpec){.width = CALL_ARGUMENTS,
                                                .height = CALL_COUNT,
-                                               .lanes = CALL_LANES,
+                                               .components = CALL_COMPONENTS,
                                                .floats = &tuples[0][0][0]}) &&
            material_set_texture(material, "source",
                                 &(TextureSpec){.width = t->width,
                                                .height = t->height,
-                                               .lanes = t->lanes,
+                                               .components = t->components,
                                                .bytes = t->bytes,
                                                .floats = t->floats,
                                                .wrap = GL_REPEAT,
@@ -124,21 +124,22 @@ bool call_gather(Caller *c, int function, const Job *job)
 
 static void put_argument(char *text, size_t room, char letter, int i)
 {
-    static const char *const lanes[] = {['2'] = ".xy", ['3'] = ".xyz", ['4'] = "", ['f'] = ".x"};
+    static const char *const components[] = {
+        ['2'] = ".xy", ['3'] = ".xyz", ['4'] = "", ['f'] = ".x"};
     const char *comma = i ? ", " : "";
     if (letter == 's')
         snprintf(text, room, "%ssource", comma);
     else if (letter == 'i')
         snprintf(text, room, "%sint(floor(argument(%d.0).x + 0.5))", comma, i);
     else
-        snprintf(text, room, "%sargument(%d.0)%s", comma, i, lanes[(int)letter]);
+        snprintf(text, room, "%sargument(%d.0)%s", comma, i, components[(int)letter]);
 }
 
 /* "color = vec4(f(...), 0.0, 0.0);" */
 static void put_main(Caller *c, int function)
 {
     const FunctionRow *row = function_row(function);
-    int lanes = type_table[row->result].lanes;
+    int components = type_table[row->result].components;
     bool words = row->result == TYPE_uint, old = !target_table[c->target].in_out;
     char text[128];
     snprintf(text, sizeof text, "void main() {\n    %s = %s(%s(", old ? "gl_FragColor" : "color",
@@ -150,7 +151,7 @@ static void put_main(Caller *c, int function)
         put(c, text);
     }
     put(c, ")");
-    for (int i = words ? 1 : lanes; i < CALL_LANES; i++)
+    for (int i = words ? 1 : components; i < CALL_COMPONENTS; i++)
         put(c, words ? ", 0u" : ", 0.0");
     put(c, ");\n}\n");
 }
@@ -176,19 +177,20 @@ static bool make_program(Caller *c, int function, Material *made)
     return material_make(c->store, NULL, &text, made);
 }
 
-static bool read_back(Caller *c, bool words, double (*results)[CALL_LANES])
+static bool read_back(Caller *c, bool words, double (*results)[CALL_COMPONENTS])
 {
-    static float floats[CALL_COUNT][CALL_LANES];
-    static GLuint numbers[CALL_COUNT][CALL_LANES];
+    static float floats[CALL_COUNT][CALL_COMPONENTS];
+    static GLuint numbers[CALL_COUNT][CALL_COMPONENTS];
     bool read = words ? framebuffer_read_words(c->gl, &c->words, 0, &numbers[0][0])
                       : framebuffer_read(c->gl, &c->floats, 0, &floats[0][0]);
     for (int i = 0; i < CALL_COUNT; i++)
-        for (int lane = 0; lane < CALL_LANES; lane++)
-            results[i][lane] = words ? (double)numbers[i][lane] : (double)floats[i][lane];
+        for (int component = 0; component < CALL_COMPONENTS; component++)
+            results[i][component] =
+                words ? (double)numbers[i][component] : (double)floats[i][component];
     return read;
 }
 
-static bool draw(Caller *c, int function, Tuple *tuples, double (*results)[CALL_LANES])
+static bool draw(Caller *c, int function, Tuple *tuples, double (*results)[CALL_COMPONENTS])
 {
     const bool words = function_row(function)->result == TYPE_uint;
     const bool sampled = function_arguments(function)[0] == 's';
@@ -206,7 +208,7 @@ static bool draw(Caller *c, int function, Tuple *tuples, double (*results)[CALL_
     return drawn && gl_check(c->gl, "calling a function") && read_back(c, words, results);
 }
 
-bool call_draw(Caller *c, int function, Tuple *tuples, double (*results)[CALL_LANES])
+bool call_draw(Caller *c, int function, Tuple *tuples, double (*results)[CALL_COMPONENTS])
 {
     bool drawn = draw(c, function, tuples, results);
     if (!drawn)

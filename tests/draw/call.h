@@ -13,12 +13,12 @@ enum {
     CALL_SIDE = 32,
     CALL_COUNT = CALL_SIDE * CALL_SIDE, /* tuples of a draw */
     CALL_ARGUMENTS = 16,                /* of a function, at most */
-    CALL_LANES = 4,
+    CALL_COMPONENTS = 4,
     CALL_TEXTURES = 2,   /* what a sampler argument may be: 0 a picture, 1 a relief */
     CALL_TEXT = 1 << 17, /* of a program */
 };
 
-typedef float Tuple[CALL_ARGUMENTS][CALL_LANES];
+typedef float Tuple[CALL_ARGUMENTS][CALL_COMPONENTS];
 
 typedef struct {
     Target target;
@@ -41,5 +41,5 @@ extern const ReferenceTexture call_textures[CALL_TEXTURES];
 bool call_gather(Caller *caller, int function, const Job *job);
 /* CALL_COUNT results, a word as its number. A sampler argument is the texture's number in the first
  * tuple. */
-bool call_draw(Caller *caller, int function, Tuple *tuples, double (*results)[CALL_LANES]);
+bool call_draw(Caller *caller, int function, Tuple *tuples, double (*results)[CALL_COMPONENTS]);
 #endif

@@ -11,7 +11,7 @@ typedef struct {
     GlContext *gl;
     Screen screen;
     int side;
-    Framebuffer floats, halves, words; /* one target of four lanes each */
+    Framebuffer floats, halves, words; /* one target of four components each */
     char error[4096];
 } Canvas;
 

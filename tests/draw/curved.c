@@ -127,15 +127,15 @@ void curved_normal(CurvedBody body, double scale, const double place[3], bool st
         normal[i] /= size;
 }
 
-/* The three lanes, and how they change along a direction. */
-static void vector_at(const double p[3], double scale, double lanes[3])
+/* The three components, and how they change along a direction. */
+static void vector_at(const double p[3], double scale, double components[3])
 {
-    lanes[0] = scale * sin(3 * p[0] + 1) * cos(2 * p[1] + p[2]);
-    lanes[1] = scale * cos(2 * p[0] - p[2] + 1);
-    lanes[2] = scale * sin(p[1] + 2 * p[2]);
+    components[0] = scale * sin(3 * p[0] + 1) * cos(2 * p[1] + p[2]);
+    components[1] = scale * cos(2 * p[0] - p[2] + 1);
+    components[2] = scale * sin(p[1] + 2 * p[2]);
 }
 
-static void vector_along(const double p[3], const double way[3], double scale, double lanes[3])
+static void vector_along(const double p[3], const double way[3], double scale, double components[3])
 {
     const double first = 3 * p[0] + 1, second = 2 * p[1] + p[2];
     const double gradients[3][3] = {
@@ -143,7 +143,7 @@ static void vector_along(const double p[3], const double way[3], double scale, d
         {-2 * sin(2 * p[0] - p[2] + 1), 0, sin(2 * p[0] - p[2] + 1)},
         {0, cos(p[1] + 2 * p[2]), 2 * cos(p[1] + 2 * p[2])}};
     for (int i = 0; i < 3; i++)
-        lanes[i] = scale * dot(gradients[i], way);
+        components[i] = scale * dot(gradients[i], way);
 }
 
 /* The twisted ball's point at (s, v), s = 2 pi u, moved along its unit tangents and normal. */

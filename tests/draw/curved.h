@@ -18,7 +18,7 @@ static const double curved_radius[] = {1, 0.5, 1}; /* the smaller of curvature *
 /* The height of a place (x, y, z), at most 1 either way, as `displacement` has it. */
 #define CURVED_HEIGHT "'= sin(3 * x + 1) * cos(2 * y + z)'"
 
-/* A vector, each of its lanes at most 1 either way, as `displacementVector` has it. */
+/* A vector, each of its components at most 1 either way, as `displacementVector` has it. */
 #define CURVED_VECTOR "'= [sin(3 * x + 1) * cos(2 * y + z), cos(2 * x - z + 1), sin(y + 2 * z)]'"
 
 /* The base at (u, v), each from 0 to 1: of the ball the longitude from the x axis and the way from

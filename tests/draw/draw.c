@@ -92,13 +92,13 @@ void drawer_set_uniforms(const Shading *shading, Material *material)
         const MatcUniform *uniform = matc_uniform(shading->program, i);
         const double *value = value_of(shading->graph, uniform);
         float numbers[4] = {0};
-        for (int lane = 0; lane < uniform->lanes; lane++)
-            numbers[lane] = (float)value[lane];
-        material_set(material, &(MaterialValue){uniform->name, uniform->lanes, numbers});
+        for (int component = 0; component < uniform->components; component++)
+            numbers[component] = (float)value[component];
+        material_set(material, &(MaterialValue){uniform->name, uniform->components, numbers});
     }
     float viewer[4];
-    for (int lane = 0; lane < 4; lane++)
-        viewer[lane] = (float)point_viewer[lane];
+    for (int component = 0; component < 4; component++)
+        viewer[component] = (float)point_viewer[component];
     material_set_number(material, "matc_ior", (float)point_ior);
     material_set_number(material, "matc_time", (float)point_time);
     material_set(material, &(MaterialValue){"matc_viewer", 4, viewer});

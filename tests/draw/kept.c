@@ -14,36 +14,37 @@ typedef struct {
     float *want, *got;     /* four a point */
 } Comparison;
 
-static bool fail(Comparison *c, SlotLane at, double want, double got, double bound)
+static bool fail(Comparison *c, SlotComponent at, double want, double got, double bound)
 {
     snprintf(c->kept->error, sizeof c->kept->error,
              "layout %s, %s, lane %d: %.9g comes back as %.9g, the bound is %.3g", c->layout->name,
-             slot_table[at.slot].name, at.lane, want, got, bound);
+             slot_table[at.slot].name, at.component, want, got, bound);
     return false;
 }
 
 static double within(double value, double low, double high) { return fmin(fmax(value, low), high); }
 
-static const FieldRow *field_of(const Comparison *c, Slot slot, int lane)
+static const FieldRow *field_of(const Comparison *c, Slot slot, int component)
 {
     for (int i = 0; i < c->fields->field_count; i++) {
         const FieldRow *field = &c->fields->fields[i];
         for (int k = 0; k < field->count; k++)
-            if (field->source[k].slot == slot && (field->gray || field->source[k].lane == lane))
+            if (field->source[k].slot == slot &&
+                (field->gray || field->source[k].component == component))
                 return field;
     }
     return NULL;
 }
 
-/* The field's error, of the value or, where lanes share an exponent, of the greatest; `least`: what
- * has no code near. */
-static double bound_of(const FieldRow *field, Slot slot, int lane, const float *want)
+/* The field's error, of the value or, where components share an exponent, of the greatest; `least`:
+ * what has no code near. */
+static double bound_of(const FieldRow *field, Slot slot, int component, const float *want)
 {
     const double high = field_high(field),
                  least = field->encoding == ENCODING_logarithm ? 1. / 32 : ldexp(1, -20);
-    double of = fabs(want[lane]);
-    for (int i = 0;
-         field->encoding == ENCODING_sharedExponent && i < type_table[slot_table[slot].type].lanes;
+    double of = fabs(want[component]);
+    for (int i = 0; field->encoding == ENCODING_sharedExponent &&
+                    i < type_table[slot_table[slot].type].components;
          i++)
         of = fmax(of, fabs(want[i]));
     if (encoding_table[field->encoding].unit == UNIT_relative)
@@ -51,20 +52,22 @@ static double bound_of(const FieldRow *field, Slot slot, int lane, const float *
     return field_error(field) + 5e-6;
 }
 
-static bool compare_lane(Comparison *c, Slot slot, int lane, const float *want, double got)
+static bool compare_component(Comparison *c, Slot slot, int component, const float *want,
+                              double got)
 {
     const SlotRow *row = &slot_table[slot];
     const FixedRow *fixed = layout_fixed(c->layout, slot);
-    const FieldRow *field = field_of(c, slot, lane);
-    const double value = within(want[lane], row->low, row->high);
+    const FieldRow *field = field_of(c, slot, component);
+    const double value = within(want[component], row->low, row->high);
     double bound = 1e-5 * fmax(1, fabs(value)); /* a constant, or one that this case leaves out */
     if (field && encoding_table[field->encoding].unit == UNIT_degrees)
         return true;
     if (field && !fixed)
-        bound = bound_of(field, slot, lane, want);
+        bound = bound_of(field, slot, component, want);
     c->kept->values++;
     c->kept->worst = fmax(c->kept->worst, field ? fabs(got - value) / bound : 0);
-    return fabs(got - value) <= bound || fail(c, (SlotLane){slot, lane}, value, got, bound);
+    return fabs(got - value) <= bound ||
+           fail(c, (SlotComponent){slot, component}, value, got, bound);
 }
 
 /* A slot that the layout leaves out is as absent. */
@@ -73,12 +76,13 @@ static bool compare_slot(Comparison *c, Slot slot)
     const SlotRow *row = &slot_table[slot];
     const bool has = layout_has_slot(c->layout, slot);
     for (int i = 0; i < c->count; i++)
-        for (int lane = 0; lane < type_table[row->type].lanes; lane++) {
-            double want = within(c->want[4 * i + lane], row->low, row->high);
-            if (has && !compare_lane(c, slot, lane, &c->want[4 * i], c->got[4 * i + lane]))
+        for (int component = 0; component < type_table[row->type].components; component++) {
+            double want = within(c->want[4 * i + component], row->low, row->high);
+            if (has &&
+                !compare_component(c, slot, component, &c->want[4 * i], c->got[4 * i + component]))
                 return false;
             if (!has && fabs(want - row->absent) > 1e-5)
-                return fail(c, (SlotLane){slot, lane}, want, row->absent, 0);
+                return fail(c, (SlotComponent){slot, component}, want, row->absent, 0);
         }
     return true;
 }
@@ -117,8 +121,8 @@ static int drawn_case(const Gbuffer *g, int count)
     const GLuint first = words[0][0];
     if (!framebuffer_read_words(g->drawer->gl, &g->targets, last, &words[0][0]))
         abort();
-    const int number = layout_case_of(g->layout, first,
-                                      words[0][format_table[g->layout->formats[last]].lanes - 1]);
+    const int number = layout_case_of(
+        g->layout, first, words[0][format_table[g->layout->formats[last]].components - 1]);
     free(words);
     return number;
 }

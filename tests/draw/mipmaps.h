@@ -4,7 +4,7 @@
 #define MATC_VALUE_MIPMAPS_H
 #include <stdbool.h>
 
-enum { MIPMAPS_SIDE = 8, MIPMAPS_LEVELS = 4, MIPMAPS_LANES = 3 };
+enum { MIPMAPS_SIDE = 8, MIPMAPS_LEVELS = 4, MIPMAPS_COMPONENTS = 3 };
 typedef enum { REPEAT, MIRROR, CLAMP, BORDER, ADDRESS_COUNT } Address;
 
 /* Mipmaps of texels: level 0 is the picture, texel (column, row) of a level the mean of four of the
@@ -12,7 +12,7 @@ typedef enum { REPEAT, MIRROR, CLAMP, BORDER, ADDRESS_COUNT } Address;
 typedef struct {
     int side;
     Address address;
-    double texel[MIPMAPS_LEVELS][MIPMAPS_SIDE][MIPMAPS_SIDE][MIPMAPS_LANES];
+    double texel[MIPMAPS_LEVELS][MIPMAPS_SIDE][MIPMAPS_SIDE][MIPMAPS_COMPONENTS];
     char path[64];
 } Mipmaps;
 
@@ -20,6 +20,6 @@ typedef struct {
 bool mipmaps_write(Mipmaps *mipmaps, int side, const char *folder);
 /* Mixed of the four texels around a place of a level, of which whole numbers are the texels' own;
  * of a border there is nothing. */
-double mipmaps_bilinear(const Mipmaps *mipmaps, int level, double x, double y, int lane);
+double mipmaps_bilinear(const Mipmaps *mipmaps, int level, double x, double y, int component);
 
 #endif

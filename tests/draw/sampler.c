@@ -3,26 +3,26 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { LANES = 4, WORDS_OF_CODE = 257 };
+enum { COMPONENTS = 4, WORDS_OF_CODE = 257 };
 
 static size_t texel_numbers(const Image *image)
 {
-    return (size_t)image->width * (size_t)image->height * LANES;
+    return (size_t)image->width * (size_t)image->height * COMPONENTS;
 }
 
 static int limited(int number, int most) { return number < 0 ? 0 : number > most ? most : number; }
 
-static void shift(const Image *image, const void *kept, const int codes[LANES])
+static void shift(const Image *image, const void *kept, const int codes[COMPONENTS])
 {
     const uint8_t *bytes = kept;
     const uint16_t *words = kept;
     for (size_t i = 0; i < texel_numbers(image); i++)
         if (image->bits == 8)
             ((uint8_t *)image->texels)[i] =
-                (uint8_t)limited(bytes[i] + codes[i % LANES], UINT8_MAX);
+                (uint8_t)limited(bytes[i] + codes[i % COMPONENTS], UINT8_MAX);
         else
             ((uint16_t *)image->texels)[i] =
-                (uint16_t)limited(words[i] + WORDS_OF_CODE * codes[i % LANES], UINT16_MAX);
+                (uint16_t)limited(words[i] + WORDS_OF_CODE * codes[i % COMPONENTS], UINT16_MAX);
 }
 
 static void *copy_of(const Image *image)
@@ -37,9 +37,9 @@ static void *copy_of(const Image *image)
 void sampler_widen(Oracle *oracle, const Graph *graph, int material, const PointSet *points,
                    Hull *hulls)
 {
-    static const int signs[][LANES] = {{1, 1, 1, 1},   {-1, -1, -1, -1}, {1, -1, 1, -1},
-                                       {-1, 1, -1, 1}, {1, 1, -1, -1},   {-1, -1, 1, 1},
-                                       {0, 0, 0, 0}}; /* the last one puts them back */
+    static const int signs[][COMPONENTS] = {{1, 1, 1, 1},   {-1, -1, -1, -1}, {1, -1, 1, -1},
+                                            {-1, 1, -1, 1}, {1, 1, -1, -1},   {-1, -1, 1, 1},
+                                            {0, 0, 0, 0}}; /* the last one puts them back */
     void **kept = calloc((size_t)graph->image_count + 1, sizeof *kept);
     if (!kept)
         abort();

@@ -4,7 +4,7 @@
 #include "tests/value/points.h"
 
 /* Takes in what the material has where every texel of its pictures is a code of 8 bits more or
- * less, the lanes together and apart.
+ * less, the components together and apart.
  *
  * llvmpipe's weights have 8 bits, so either axis errs by up to 1/256 of the difference of two
  * texels, and the mixes by rows and by columns are rounded to half a code each: 2 / 256 + 2 / 510 <

@@ -90,9 +90,9 @@ Hit space_meet(const Space *space, double x, double y)
     return hit;
 }
 
-void surface_set3(Surface *surface, Group group, const double lanes[3])
+void surface_set3(Surface *surface, Group group, const double components[3])
 {
-    memcpy(&surface->root[channel_id(group, 0)], lanes, 3 * sizeof *lanes);
+    memcpy(&surface->root[channel_id(group, 0)], components, 3 * sizeof *components);
 }
 
 Surface space_surface(const Space *space, const Hit *hit, bool mesh)
@@ -120,8 +120,8 @@ void space_place(Space *space)
     for (int k = 0; k < 3; k++) {
         double world[4], local[3] = {k ? 2 * (k == 1) : -1, k ? 2 * (k == 2) : -1, 0};
         space_transform(&space->world_from_local, local, k == 0, world);
-        for (int lane = 0; lane < 3; lane++)
-            space->plane[k][lane] = (float)world[lane];
+        for (int component = 0; component < 3; component++)
+            space->plane[k][component] = (float)world[component];
     }
 }
 

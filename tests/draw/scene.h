@@ -36,7 +36,7 @@ Hit space_meet(const Space *space, double x, double y);
 Surface space_surface(const Space *space, const Hit *hit, bool mesh);
 /* Depth of a position in the world, as the depth buffer has it. */
 double space_depth(const Space *space, const double position[3]);
-void surface_set3(Surface *surface, Group group, const double lanes[3]);
+void surface_set3(Surface *surface, Group group, const double components[3]);
 
 typedef struct {
     /* as MatcOptions; NULL is the default, of aa none */

@@ -11,23 +11,24 @@ void sheet_init(ContactSheet *sheet)
     sheet->at.input[INPUT_DV][1] = sheet->at.input[INPUT_XV][1] = 1;
 }
 
-void contact_sheet_set(ContactSheet *sheet, int lane, double middle, double right, double up)
+void contact_sheet_set(ContactSheet *sheet, int component, double middle, double right, double up)
 {
     static const Input inputs[] = {INPUT_X, INPUT_P, INPUT_U};
     for (int i = 0; i < 3; i++) {
-        if (inputs[i] == INPUT_U && lane == 2)
+        if (inputs[i] == INPUT_U && component == 2)
             continue;
-        sheet->right.input[inputs[i]][lane] = (float)right;
-        sheet->up.input[inputs[i]][lane] = (float)up;
-        sheet->at.input[inputs[i]][lane] =
+        sheet->right.input[inputs[i]][component] = (float)right;
+        sheet->up.input[inputs[i]][component] = (float)up;
+        sheet->at.input[inputs[i]][component] =
             (float)(middle - right * (SHEET_WIDTH - 1) / 2 - up * (SHEET_HEIGHT - 1) / 2);
     }
 }
 
-static double varying(const ContactSheet *sheet, int input, int lane, double right, double up)
+static double varying(const ContactSheet *sheet, int input, int component, double right, double up)
 {
-    return sheet->at.input[input][lane] + right * (double)sheet->right.input[input][lane] +
-           up * (double)sheet->up.input[input][lane];
+    return sheet->at.input[input][component] +
+           right * (double)sheet->right.input[input][component] +
+           up * (double)sheet->up.input[input][component];
 }
 
 void sheet_surface(const ContactSheet *sheet, int pixel, double right, double up, Surface *surface)
@@ -38,9 +39,10 @@ void sheet_surface(const ContactSheet *sheet, int pixel, double right, double up
     up += pixel / SHEET_WIDTH;
     point_surface(&sheet->at, true, surface);
     for (Group group = 0; group < GROUP_R; group++)
-        for (int lane = 0; lane < type_table[input_table[input[group]].type].lanes; lane++)
-            surface->root[channel_id(group, lane)] =
-                varying(sheet, (int)input[group], lane, right, up);
+        for (int component = 0; component < type_table[input_table[input[group]].type].components;
+             component++)
+            surface->root[channel_id(group, component)] =
+                varying(sheet, (int)input[group], component, right, up);
 }
 
 /* The corners of drawer_fill, in pixels from the middle of the lower left one. */
@@ -48,10 +50,10 @@ static void find_corners(const ContactSheet *sheet, Point corners[3])
 {
     for (int corner = 0; corner < 3; corner++)
         for (int input = 0; input < POINT_VARYINGS; input++)
-            for (int lane = 0; lane < 3; lane++)
-                corners[corner].input[input][lane] =
-                    (float)varying(sheet, input, lane, (corner == 1 ? 2 * SHEET_WIDTH : 0) - 0.5,
-                                   (corner == 2 ? 2 * SHEET_HEIGHT : 0) - 0.5);
+            for (int component = 0; component < 3; component++)
+                corners[corner].input[input][component] = (float)varying(
+                    sheet, input, component, (corner == 1 ? 2 * SHEET_WIDTH : 0) - 0.5,
+                    (corner == 2 ? 2 * SHEET_HEIGHT : 0) - 0.5);
 }
 
 static void set_options(const Filtered *filtered, MatcOptions *options)

@@ -17,9 +17,9 @@ typedef struct {
 /* Flat: front side, the normal (0, 0, 1), the tangents the x and y axes, all coordinates 0 and
  * without change. */
 void sheet_init(ContactSheet *sheet);
-/* Position, in the world as in the object, and texture coordinate alike: lane `lane` is `middle` in
- * the middle of the sheet. */
-void contact_sheet_set(ContactSheet *sheet, int lane, double middle, double right, double up);
+/* Position, in the world as in the object, and texture coordinate alike: component `component` is
+ * `middle` in the middle of the sheet. */
+void contact_sheet_set(ContactSheet *sheet, int component, double middle, double right, double up);
 /* Part of the way to the right and upper neighbour from the middle of a pixel. */
 void sheet_surface(const ContactSheet *sheet, int pixel, double right, double up, Surface *surface);
 

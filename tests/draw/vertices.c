@@ -11,8 +11,8 @@ static void place(Vertices *vertices, int i, const Mat4 *local_from_clip, int si
     double local[4],
         clip[3] = {2 * (x + 0.5) / side - 1, 2 * (y + 0.5) / side - 1, 0.9 + spread(i) / 50};
     space_transform(local_from_clip, clip, 1, local);
-    for (int lane = 0; lane < 3; lane++)
-        vertices->vertex[i].position[lane] = (float)(local[lane] / local[3]);
+    for (int component = 0; component < 3; component++)
+        vertices->vertex[i].position[component] = (float)(local[component] / local[3]);
     vertices->pixel[i] = y * side + x;
 }
 

@@ -61,8 +61,8 @@ static void integrate(const double eye[3], const double widths[2], double found[
         const double length = sqrt(h[0] * h[0] + h[1] * h[1] + h[2] * h[2]);
         const double facing = (h[0] * eye[0] + h[1] * eye[1] + h[2] * eye[2]) / length;
         double l[3];
-        for (int lane = 0; lane < 3; lane++)
-            l[lane] = 2 * facing * h[lane] / length - eye[lane];
+        for (int component = 0; component < 3; component++)
+            l[component] = 2 * facing * h[component] / length - eye[component];
         if (l[2] <= 0 || facing <= 0)
             continue;
         const double light =

@@ -1,7 +1,7 @@
-/* Prints the numbers of runtime/surface/surface_microfacets.glsl: how lanes of linear sRGB respond
- * to light whose strength is cos(2 pi way / wavelength), as sums of terms exp(-narrow way^2)
- * cos(turn way), way in micrometres. The CIE's observer of 1931 is as Wyman, Sloan and Shirley
- * (2013) have it; a lane's response is 1 for way 0.
+/* Prints the numbers of runtime/surface/surface_microfacets.glsl: how components of linear sRGB
+ * respond to light whose strength is cos(2 pi way / wavelength), as sums of terms exp(-narrow
+ * way^2) cos(turn way), way in micrometres. The CIE's observer of 1931 is as Wyman, Sloan and
+ * Shirley (2013) have it; a component's response is 1 for way 0.
  *
  *     build/tests/fit_film          # some seconds
  *
@@ -29,7 +29,7 @@ static double term(const Fit *f, int k, double way)
 static void weigh(Fit *f, double (*want)[3])
 {
     f->square = 0;
-    for (int lane = 0; lane < 3; lane++) {
+    for (int component = 0; component < 3; component++) {
         double rows[TERMS * (TERMS + 1)] = {0};
         for (int i = 0; i < WAYS; i++) {
             const double weight = i ? 1 : 1e4; /* white is white */
@@ -37,34 +37,35 @@ static void weigh(Fit *f, double (*want)[3])
                 for (int b = 0; b < TERMS; b++)
                     rows[a * (TERMS + 1) + b] +=
                         weight * term(f, a, way_at(i)) * term(f, b, way_at(i));
-                rows[a * (TERMS + 1) + TERMS] += weight * term(f, a, way_at(i)) * want[i][lane];
+                rows[a * (TERMS + 1) + TERMS] +=
+                    weight * term(f, a, way_at(i)) * want[i][component];
             }
         }
         solve_equations(rows, TERMS);
         for (int k = 0; k < TERMS; k++)
-            f->weight[lane][k] = rows[k * (TERMS + 1) + TERMS];
+            f->weight[component][k] = rows[k * (TERMS + 1) + TERMS];
         for (int i = 0; i < WAYS; i++) {
-            double sum = -want[i][lane];
+            double sum = -want[i][component];
             for (int k = 0; k < TERMS; k++)
-                sum += f->weight[lane][k] * term(f, k, way_at(i));
+                sum += f->weight[component][k] * term(f, k, way_at(i));
             f->square += sum * sum;
         }
     }
 }
 
 /* By a sum over wavelengths. */
-static void respond(double way, double lanes[3])
+static void respond(double way, double components[3])
 {
     double sum[3] = {0}, white[3] = {0}, one[3];
     for (int nm = OBSERVER_FIRST; nm <= OBSERVER_LAST; nm++) {
-        observer_lanes(nm, one);
-        for (int lane = 0; lane < 3; lane++) {
-            white[lane] += one[lane];
-            sum[lane] += one[lane] * cos(6.28318530717958648 * way / (nm * 1e-3));
+        observer_components(nm, one);
+        for (int component = 0; component < 3; component++) {
+            white[component] += one[component];
+            sum[component] += one[component] * cos(6.28318530717958648 * way / (nm * 1e-3));
         }
     }
-    for (int lane = 0; lane < 3; lane++)
-        lanes[lane] = sum[lane] / white[lane];
+    for (int component = 0; component < 3; component++)
+        components[component] = sum[component] / white[component];
 }
 
 int main(void)
@@ -93,10 +94,10 @@ int main(void)
         step = best.square < before ? step : step / 2;
     }
     for (int i = 0; i < WAYS; i++)
-        for (int lane = 0; lane < 3; lane++) {
-            double sum = -want[i][lane];
+        for (int component = 0; component < 3; component++) {
+            double sum = -want[i][component];
             for (int k = 0; k < TERMS; k++)
-                sum += best.weight[lane][k] * term(&best, k, way_at(i));
+                sum += best.weight[component][k] * term(&best, k, way_at(i));
             worst = fmax(worst, fabs(sum));
         }
     for (int k = 0; k < TERMS; k++)

@@ -46,13 +46,13 @@ long exact_cell_of(const uint32_t *head, const double at[3])
            (long)((x * .5 + .5) * (double)size);
 }
 
-/* Keeps what has lane <= to z; with sign -1: lane >= -to z. */
-static void clip(ExactPolygon *polygon, int lane, double sign, double to)
+/* Keeps what has component <= to z; with sign -1: component >= -to z. */
+static void clip(ExactPolygon *polygon, int component, double sign, double to)
 {
     ExactPolygon kept = {.count = 0};
     for (int i = 0; i < polygon->count; i++) {
         const double *a = polygon->at[i], *b = polygon->at[(i + 1) % polygon->count];
-        const double in = to * a[2] - sign * a[lane], next = to * b[2] - sign * b[lane];
+        const double in = to * a[2] - sign * a[component], next = to * b[2] - sign * b[component];
         if (in >= 0)
             memcpy(kept.at[kept.count++], a, sizeof kept.at[0]);
         if ((in < 0) != (next < 0)) {
@@ -68,9 +68,9 @@ bool exact_cell_has(const uint32_t *head, const ExactPolygon *of, const int cell
 {
     const double size = head[EXACT_LISTS_SIZE];
     ExactPolygon polygon = *of;
-    for (int lane = 0; lane < 2; lane++) {
-        clip(&polygon, lane, 1, 2 * (cell[lane] + 1 + wider) / size - 1);
-        clip(&polygon, lane, -1, -(2 * (cell[lane] - wider) / size - 1));
+    for (int component = 0; component < 2; component++) {
+        clip(&polygon, component, 1, 2 * (cell[component] + 1 + wider) / size - 1);
+        clip(&polygon, component, -1, -(2 * (cell[component] - wider) / size - 1));
     }
     return polygon.count > 0;
 }

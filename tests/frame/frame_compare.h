@@ -23,10 +23,11 @@ static inline void add_sample(Spread *spread, const Sample *sample, const float 
     double greatest = 0, bright = 0;
     if (sample->edge || sample->nothing)
         return;
-    for (int lane = 0; lane < 3; lane++) {
-        greatest =
-            fmax(greatest, isnan(rgba[lane]) ? INFINITY : fabs(rgba[lane] - sample->light[lane]));
-        bright = fmax(bright, sample->light[lane]);
+    for (int component = 0; component < 3; component++) {
+        greatest = fmax(greatest, isnan(rgba[component])
+                                      ? INFINITY
+                                      : fabs(rgba[component] - sample->light[component]));
+        bright = fmax(bright, sample->light[component]);
     }
     spread->differences[spread->count++] = greatest;
     spread->lit += bright > 1e-3;

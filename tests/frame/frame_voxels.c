@@ -31,8 +31,9 @@ uint32_t *frame_voxels_level(const FrameVoxelsDrawn *d, int level)
         gl->ReadBuffer(GL_COLOR_ATTACHMENT0);
         gl->ReadPixels(0, 0, edge, edge, GL_RGBA_INTEGER, GL_UNSIGNED_INT, layer);
         for (int i = 0; i < edge * edge; i++)
-            for (int lane = 0; lane < 4 && 4 * k + lane < words; lane++)
-                made[(size_t)i * (size_t)words + (size_t)(4 * k + lane)] = layer[4 * i + lane];
+            for (int component = 0; component < 4 && 4 * k + component < words; component++)
+                made[(size_t)i * (size_t)words + (size_t)(4 * k + component)] =
+                    layer[4 * i + component];
     }
     free(layer);
     assert_int_equal(gl->GetError(), 0);

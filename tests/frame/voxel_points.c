@@ -89,9 +89,9 @@ bool voxel_points_open(const Renderer *renderer, const VoxelPoints *points,
     const TextureSpec specs[2] = {
         {.width = VOXEL_POINTS_TEXELS * points->wide,
          .height = points->high,
-         .lanes = 4,
+         .components = 4,
          .floats = points->texels[0][0]},
-        {.width = points->rays, .height = 1, .lanes = 4, .floats = points->directions[0]}};
+        {.width = points->rays, .height = 1, .components = 4, .floats = points->directions[0]}};
     ScreenPassText text = {.body = {render_text_voxel_map, render_text_voxel_ray},
                            .format = "RGBA32F",
                            .compute = true};

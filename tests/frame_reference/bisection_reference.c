@@ -38,9 +38,9 @@ static void move(const Reference *r, int base, int count, double (*weights)[3], 
         double v[14] = {0}, length = 0;
         for (int k = 0; k < 3; k++) {
             const ShapeVertex *corner = &r->shape.vertices[r->shape.indices[3 * base + k]];
-            const float *lanes = (const float *)corner;
-            for (int lane = 0; lane < 14; lane++)
-                v[lane] += weights[i][k] * (double)lanes[lane];
+            const float *components = (const float *)corner;
+            for (int component = 0; component < 14; component++)
+                v[component] += weights[i][k] * (double)components[component];
         }
         for (int k = 0; k < 3; k++)
             length += v[3 + k] * v[3 + k];
@@ -50,11 +50,12 @@ static void move(const Reference *r, int base, int count, double (*weights)[3], 
             points[i].local_u[k] = v[8 + k];
             points[i].local_v[k] = v[11 + k];
             points[i].position[k] = m[12 + k];
-            for (int lane = 0; lane < 3; lane++) {
-                points[i].position[k] += m[4 * lane + k] * v[lane];
-                points[i].tangent_u[k] += m[4 * lane + k] * v[8 + lane];
-                points[i].tangent_v[k] += m[4 * lane + k] * v[11 + lane];
-                points[i].normal[k] += r->inverse.m[4 * k + lane] * v[3 + lane] / sqrt(length);
+            for (int component = 0; component < 3; component++) {
+                points[i].position[k] += m[4 * component + k] * v[component];
+                points[i].tangent_u[k] += m[4 * component + k] * v[8 + component];
+                points[i].tangent_v[k] += m[4 * component + k] * v[11 + component];
+                points[i].normal[k] +=
+                    r->inverse.m[4 * k + component] * v[3 + component] / sqrt(length);
             }
         }
     }
@@ -78,9 +79,9 @@ static double part_deviates(const Reference *r, const Triangle *t, double (*insi
         for (int k = 0; k < 3; k++)
             for (int corner = 0; corner < 3; corner++) {
                 const double share = points[i][k] / 6 * inside[k][corner];
-                for (int lane = 0; lane < 3; lane++) {
-                    at[i][lane] += share * t->w[corner][lane];
-                    mixed[i][lane] += share * p[corner][lane];
+                for (int component = 0; component < 3; component++) {
+                    at[i][component] += share * t->w[corner][component];
+                    mixed[i][component] += share * p[corner][component];
                 }
             }
     move(r, t->base, 4, at, to);
@@ -137,11 +138,12 @@ static void divided(void *user, uint32_t triangle, uint32_t made)
     r->own[made] = fmin(was, deviation(r, made));
 }
 
-static double reach_of(const Reference *r, int lane)
+static double reach_of(const Reference *r, int component)
 {
     double reach = 0;
     for (int axis = 0; axis < 3; axis++)
-        reach += fabs(r->patches->world_from_local.m[4 * axis + lane]) * r->patches->reach[axis];
+        reach +=
+            fabs(r->patches->world_from_local.m[4 * axis + component]) * r->patches->reach[axis];
     return reach;
 }
 
@@ -155,22 +157,26 @@ static void find_range(Reference *r, int base, uint32_t number, double (*w)[3])
         int count = 0;
         for (int i = 0; i <= STEPS; i++)
             for (int k = 0; k <= STEPS - i; k++, count++)
-                for (int lane = 0; lane < 3; lane++)
-                    at[count][lane] =
-                        (w[0][lane] * i + w[1][lane] * k + w[2][lane] * (STEPS - i - k)) / STEPS;
+                for (int component = 0; component < 3; component++)
+                    at[count][component] = (w[0][component] * i + w[1][component] * k +
+                                            w[2][component] * (STEPS - i - k)) /
+                                           STEPS;
         move(r, base, count, at, to);
-        for (int lane = 0; lane < 3; lane++) {
-            range[0][lane] = INFINITY;
-            range[1][lane] = -INFINITY;
+        for (int component = 0; component < 3; component++) {
+            range[0][component] = INFINITY;
+            range[1][component] = -INFINITY;
             for (int i = 0; i < count; i++) {
-                double from = r->patches->world_from_local.m[12 + lane];
+                double from = r->patches->world_from_local.m[12 + component];
                 for (int k = 0; k < 9; k++)
-                    from += at[i][k / 3] * r->patches->world_from_local.m[4 * (k % 3) + lane] *
+                    from += at[i][k / 3] * r->patches->world_from_local.m[4 * (k % 3) + component] *
                             (double)r->shape.vertices[r->shape.indices[3 * base + k / 3]]
                                 .position[k % 3];
-                const double step = (to[i][lane] - from) / fmax(reach_of(r, lane), 1e-30) * 127.5;
-                range[0][lane] = fmin(range[0][lane], fmax(floor(step + 127.5) - 127.5, -127.5));
-                range[1][lane] = fmax(range[1][lane], fmin(ceil(step + 127.5) - 127.5, 127.5));
+                const double step =
+                    (to[i][component] - from) / fmax(reach_of(r, component), 1e-30) * 127.5;
+                range[0][component] =
+                    fmin(range[0][component], fmax(floor(step + 127.5) - 127.5, -127.5));
+                range[1][component] =
+                    fmax(range[1][component], fmin(ceil(step + 127.5) - 127.5, 127.5));
             }
         }
         return;
@@ -184,10 +190,10 @@ static void find_range(Reference *r, int base, uint32_t number, double (*w)[3])
     }
     for (uint32_t k = 0; k < 2; k++)
         find_range(r, base, 2 * number + k, halves[k]);
-    for (int lane = 0; lane < 3; lane++) {
+    for (int component = 0; component < 3; component++) {
         double(*one)[2][3] = &r->ranges[((uint32_t)base << (r->ranged + 1)) + 2 * number];
-        range[0][lane] = fmin(one[0][0][lane], one[1][0][lane]);
-        range[1][lane] = fmax(one[0][1][lane], one[1][1][lane]);
+        range[0][component] = fmin(one[0][0][component], one[1][0][component]);
+        range[1][component] = fmax(one[0][1][component], one[1][1][component]);
     }
 }
 
@@ -230,10 +236,10 @@ static double pixels_of(const Reference *r, uint32_t triangle)
             for (int k = 0; k < 3; k++) {
                 const ShapeVertex *v = &r->shape.vertices[r->shape.indices[3 * t->base + k]];
                 const double share = (double)t->weights[corner][k] / SCENE_BISECTION_PARTS;
-                for (int lane = 0; lane < 3; lane++) {
-                    at[corner][i] += share * m[4 * lane + i] * (double)v->position[lane];
+                for (int component = 0; component < 3; component++) {
+                    at[corner][i] += share * m[4 * component + i] * (double)v->position[component];
                     normal[corner][i] +=
-                        share * r->inverse.m[4 * i + lane] * (double)v->normal[lane];
+                        share * r->inverse.m[4 * i + component] * (double)v->normal[component];
                 }
             }
         }

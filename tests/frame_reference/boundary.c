@@ -35,9 +35,9 @@ static double crossing_of(const Boundary *b, int first)
     int count = 0;
     for (int i = 0; i < 4; i++)
         if ((b->truth[corners[i]] < .5f) != (b->truth[corners[i + 1]] < .5f)) {
-            for (int lane = 0; lane < 2; lane++)
-                middles[count][lane] =
-                    (b->places[corners[i]][lane] + b->places[corners[i + 1]][lane]) / 2;
+            for (int component = 0; component < 2; component++)
+                middles[count][component] =
+                    (b->places[corners[i]][component] + b->places[corners[i + 1]][component]) / 2;
             count++;
         }
     for (int i = 0; i < count; i += 2)

@@ -16,7 +16,7 @@ typedef struct {
 typedef struct {
     IndirectPlace places[INDIRECT_TRUTH_MOST];
     int count;
-    double light; /* mean over places and lanes */
+    double light; /* mean over places and components */
 } IndirectTruth;
 
 /* Finds the truth at places in rows and columns, not at edges of objects: a pixel's center may be

@@ -7,7 +7,7 @@
 
 static double clamped(double x, double low, double high) { return fmin(fmax(x, low), high); }
 
-static double value(const LitReference *lit, Slot slot) { return lit->slots.lane[slot][0]; }
+static double value(const LitReference *lit, Slot slot) { return lit->slots.component[slot][0]; }
 
 static bool is_principled(const LitReference *lit) { return value(lit, SLOT_model) > .5; }
 
@@ -17,11 +17,11 @@ static double share(const LitReference *lit, Slot slot) { return clamped(value(l
 
 static double step_cosine(int step) { return pow(fmax(step, .1) / LIT_STEPS, 2); }
 
-static double table_at(const LitTable *table, double cosine, int lane)
+static double table_at(const LitTable *table, double cosine, int component)
 {
     const double at = LIT_STEPS * sqrt(clamped(cosine, 0, 1));
     const int i = at < LIT_STEPS - 1 ? (int)at : LIT_STEPS - 1;
-    return (i + 1 - at) * table->by[i][lane] + (at - i) * table->by[i + 1][lane];
+    return (i + 1 - at) * table->by[i][component] + (at - i) * table->by[i + 1][component];
 }
 
 /* Weight of a step in a cosine-weighted mean over all directions: the integral of 2 c dc over the
@@ -34,10 +34,10 @@ static double step_weight(int step)
 
 static void table_mean(LitTable *table)
 {
-    for (int lane = 0; lane < 3; lane++) {
-        table->mean[lane] = 0;
+    for (int component = 0; component < 3; component++) {
+        table->mean[component] = 0;
         for (int i = 0; i <= LIT_STEPS; i++)
-            table->mean[lane] += step_weight(i) * table->by[i][lane];
+            table->mean[component] += step_weight(i) * table->by[i][component];
     }
 }
 
@@ -64,32 +64,32 @@ static double film_at(const LitReference *lit, double cosine, double base, doubl
     return (s + p) / 2;
 }
 
-static double film_reflected(const LitReference *lit, double cosine, double base, int lane)
+static double film_reflected(const LitReference *lit, double cosine, double base, int component)
 {
     double sum = 0, white = 0, weights[3];
     for (int nm = OBSERVER_FIRST; nm <= OBSERVER_LAST; nm += 4) {
-        observer_lanes(nm, weights);
-        sum += weights[lane] * film_at(lit, cosine, base, nm);
-        white += weights[lane];
+        observer_components(nm, weights);
+        sum += weights[component] * film_at(lit, cosine, base, nm);
+        white += weights[component];
     }
     return clamped(sum / white, 0, 1);
 }
 
 /* Schlick's Fresnel term. For metal, Hoffman's term in cosine (1 - cosine)^6 lowers it to the tint
  * at 82 degrees, whose cosine is 1/7. */
-static double facet_fresnel(const LitReference *lit, bool metal, double cosine, int lane)
+static double facet_fresnel(const LitReference *lit, bool metal, double cosine, int component)
 {
-    const double low =
-        metal ? clamped(lit->slots.lane[SLOT_diffuse][lane], 0, 1) : share(lit, SLOT_reflectance);
+    const double low = metal ? clamped(lit->slots.component[SLOT_diffuse][component], 0, 1)
+                             : share(lit, SLOT_reflectance);
     const double rest = 1 - cosine, film = share(lit, SLOT_film);
     double sum = low + (1 - low) * pow(rest, 5);
     if (metal) {
         const double edge = low + (1 - low) * pow(6. / 7, 5);
-        const double tint = clamped(lit->slots.lane[SLOT_specular][lane], 0, 1);
+        const double tint = clamped(lit->slots.component[SLOT_specular][component], 0, 1);
         sum -= edge * (1 - tint) * cosine * pow(rest, 6) / (1. / 7 * pow(6. / 7, 6));
     }
     sum = fmax(sum, 0);
-    return film > 0 ? sum + film * (film_reflected(lit, cosine, low, lane) - sum) : sum;
+    return film > 0 ? sum + film * (film_reflected(lit, cosine, low, component) - sum) : sum;
 }
 
 /* -- GGX --------------------------------------------------------------------------------------- */
@@ -146,9 +146,9 @@ static void facet_albedo(double alpha, double cosine, const LitTable *fresnel, d
             continue;
         const double left =
             (1 + masking(widths, v)) / (1 + masking(widths, v) + masking(widths, l));
-        for (int lane = 0; lane < 3; lane++)
-            albedo[lane] +=
-                left * (fresnel ? table_at(fresnel, facing, lane) : 1) / (RINGS * TURNS);
+        for (int component = 0; component < 3; component++)
+            albedo[component] +=
+                left * (fresnel ? table_at(fresnel, facing, component) : 1) / (RINGS * TURNS);
     }
 }
 
@@ -202,9 +202,9 @@ static void open_layers(LitReference *lit)
     const double coat = share(lit, SLOT_coat), fuzz = share(lit, SLOT_fuzz);
     LitTable fresnel;
     for (int i = 0; i <= LIT_STEPS; i++)
-        for (int lane = 0; lane < 3; lane++) {
-            fresnel.by[i][lane] = coat_fresnel(lit, step_cosine(i));
-            lit->coat.by[i][lane] = lit->fuzz.by[i][lane] = 1;
+        for (int component = 0; component < 3; component++) {
+            fresnel.by[i][component] = coat_fresnel(lit, step_cosine(i));
+            lit->coat.by[i][component] = lit->fuzz.by[i][component] = 1;
         }
     for (int i = 0; i <= LIT_STEPS && coat > 0; i++) {
         double albedo[3];
@@ -218,10 +218,10 @@ static void open_layers(LitReference *lit)
 /* -- The base ---------------------------------------------------------------------------------- */
 
 /* Directional albedo of dielectric or metal, multiple scattering included. */
-static double reflected(const LitReference *lit, bool metal, double cosine, int lane)
+static double reflected(const LitReference *lit, bool metal, double cosine, int component)
 {
-    return table_at(&lit->once[metal], cosine, lane) +
-           table_at(&lit->loss, cosine, lane) * lit->again[metal][lane];
+    return table_at(&lit->once[metal], cosine, component) +
+           table_at(&lit->loss, cosine, component) * lit->again[metal][component];
 }
 
 static void open_base(LitReference *lit)
@@ -229,22 +229,24 @@ static void open_base(LitReference *lit)
     const double alpha = sqrt((pow(lit->widths[0], 2) + pow(lit->widths[1], 2)) / 2);
     for (int metal = 0; metal < 2; metal++) {
         for (int i = 0; i <= LIT_STEPS; i++)
-            for (int lane = 0; lane < 3; lane++)
-                lit->fresnel[metal].by[i][lane] = facet_fresnel(lit, metal, step_cosine(i), lane);
+            for (int component = 0; component < 3; component++)
+                lit->fresnel[metal].by[i][component] =
+                    facet_fresnel(lit, metal, step_cosine(i), component);
         table_mean(&lit->fresnel[metal]);
     }
     for (int i = 0; i <= LIT_STEPS; i++) {
         for (int metal = 0; metal < 2; metal++)
             facet_albedo(alpha, step_cosine(i), &lit->fresnel[metal], lit->once[metal].by[i]);
         facet_albedo(alpha, step_cosine(i), NULL, lit->loss.by[i]);
-        for (int lane = 0; lane < 3; lane++)
-            lit->loss.by[i][lane] = fmax(1 - lit->loss.by[i][lane], 0);
+        for (int component = 0; component < 3; component++)
+            lit->loss.by[i][component] = fmax(1 - lit->loss.by[i][component], 0);
     }
     table_mean(&lit->loss);
     for (int metal = 0; metal < 2; metal++)
-        for (int lane = 0; lane < 3; lane++) {
-            const double mean = lit->fresnel[metal].mean[lane], loss = lit->loss.mean[lane];
-            lit->again[metal][lane] = mean * mean * (1 - loss) / (1 - mean * loss);
+        for (int component = 0; component < 3; component++) {
+            const double mean = lit->fresnel[metal].mean[component],
+                         loss = lit->loss.mean[component];
+            lit->again[metal][component] = mean * mean * (1 - loss) / (1 - mean * loss);
         }
 }
 
@@ -254,9 +256,9 @@ static void open_means(LitReference *lit)
     lit->loss_mean = 1e-9;
     for (int i = 0; i <= LIT_STEPS; i++) {
         const double cosine = step_cosine(i), through = layers_through(lit, cosine, cosine);
-        for (int lane = 0; lane < 3; lane++)
-            lit->base_mean[lane] +=
-                step_weight(i) * through * (1 - reflected(lit, false, cosine, lane));
+        for (int component = 0; component < 3; component++)
+            lit->base_mean[component] +=
+                step_weight(i) * through * (1 - reflected(lit, false, cosine, component));
         lit->loss_mean += step_weight(i) * through * lit->loss.by[i][0];
     }
 }
@@ -266,7 +268,7 @@ static void open_means(LitReference *lit)
 static void open_widths(LitReference *lit)
 {
     const double rough = clamped(value(lit, SLOT_roughness), .0316227766, 1);
-    const double *slot = lit->slots.lane[SLOT_anisotropy],
+    const double *slot = lit->slots.component[SLOT_anisotropy],
                  strength = fmin(hypot(slot[0], slot[1]), 1);
     const double turn = atan2(slot[1], slot[0]) / 2, narrow = 1 - strength;
     const double axis[3] = {cos(turn), sin(turn), 0}, high = dot(axis, lit->normal);
@@ -288,16 +290,16 @@ static void open_widths(LitReference *lit)
 
 static void phong_lobe(const LitReference *lit, const double l[3], double parts[LIT_PARTS][3])
 {
-    const double cosine = dot(lit->normal, l), *clear = lit->slots.lane[SLOT_transparency];
+    const double cosine = dot(lit->normal, l), *clear = lit->slots.component[SLOT_transparency];
     const double lobe = pow(fmax(dot(lit->mirrored, l), 0), value(lit, SLOT_shininess));
     const double on = pow(fmax(-dot(lit->eye, l), 0), value(lit, SLOT_transparencyShininess));
     for (int i = 0; i < 3; i++) {
         const double kept = value(lit, SLOT_interpolatedTransparency) > 0 ? 1 - clear[i] : 1;
         if (cosine > 0) {
-            parts[LIT_EVEN][i] = kept * lit->slots.lane[SLOT_diffuse][i] * cosine;
-            parts[LIT_GLOSS][i] = kept * lit->slots.lane[SLOT_specular][i] * lobe * cosine;
+            parts[LIT_EVEN][i] = kept * lit->slots.component[SLOT_diffuse][i] * cosine;
+            parts[LIT_GLOSS][i] = kept * lit->slots.component[SLOT_specular][i] * lobe * cosine;
         } else {
-            parts[LIT_BEHIND][i] = -cosine * lit->slots.lane[SLOT_diffuseTransparency][i];
+            parts[LIT_BEHIND][i] = -cosine * lit->slots.component[SLOT_diffuseTransparency][i];
             parts[LIT_STRAIGHT][i] = clear[i] * on;
         }
     }
@@ -313,9 +315,9 @@ static double grain_once(const LitReference *lit, double l, double v, double bet
 
 /* The base's color; for a rough base single scattering by Fujii's lobe and multiple scattering,
  * which is diffuse. A rough base must not have layers over it here. */
-static double base_color(const LitReference *lit, const double l[3], int lane)
+static double base_color(const LitReference *lit, const double l[3], int component)
 {
-    const double color = clamped(lit->slots.lane[SLOT_diffuse][lane], 0, 1),
+    const double color = clamped(lit->slots.component[SLOT_diffuse][component], 0, 1),
                  all = lit->grain.mean[0];
     if (share(lit, SLOT_diffuseRoughness) <= 0)
         return color;
@@ -345,9 +347,9 @@ static void principled_behind(const LitReference *lit, double l, double parts[LI
                  through = layers_through(lit, l, l) * layers_through(lit, v, v);
     for (int i = 0; i < 3; i++) {
         const double in = 1 - reflected(lit, false, l, i), out = 1 - reflected(lit, false, v, i);
-        const double tint = value(lit, SLOT_coat) > 0 ? lit->slots.lane[SLOT_coatTint][i] : 1;
-        parts[LIT_BEHIND][i] = lit->kept * l * lit->slots.lane[SLOT_diffuseTransparency][i] * in *
-                               out * through * tint / lit->base_mean[i];
+        const double tint = value(lit, SLOT_coat) > 0 ? lit->slots.component[SLOT_coatTint][i] : 1;
+        parts[LIT_BEHIND][i] = lit->kept * l * lit->slots.component[SLOT_diffuseTransparency][i] *
+                               in * out * through * tint / lit->base_mean[i];
     }
 }
 
@@ -389,8 +391,8 @@ static void principled_lobe(const LitReference *lit, const double l[3], double p
     const double again = cosine * table_at(&lit->loss, cosine, 0) * table_at(&lit->loss, eye, 0) *
                          of_eye * of_light / lit->loss_mean;
     for (int i = 0; i < 3; i++) {
-        const double tint = share(lit, SLOT_coat) > 0 ? lit->slots.lane[SLOT_coatTint][i] : 1;
-        const double specular = clamped(lit->slots.lane[SLOT_specular][i], 0, 1);
+        const double tint = share(lit, SLOT_coat) > 0 ? lit->slots.component[SLOT_coatTint][i] : 1;
+        const double specular = clamped(lit->slots.component[SLOT_specular][i], 0, 1);
         const double matt = cosine * of_eye * of_light * (1 - reflected(lit, false, eye, i)) *
                             (1 - reflected(lit, false, cosine, i)) / lit->base_mean[i];
         double shine[2];
@@ -398,7 +400,7 @@ static void principled_lobe(const LitReference *lit, const double l[3], double p
             shine[k] = once * table_at(&lit->fresnel[k], facing, i) + again * lit->again[k][i];
         parts[LIT_EVEN][i] =
             lit->kept * (tint * (1 - metal) * matt * base_color(lit, l, i) +
-                         fuzz * lit->slots.lane[SLOT_fuzzColor][i] *
+                         fuzz * lit->slots.component[SLOT_fuzzColor][i] *
                              fibres(fuzz_rough(lit), between[2] / length, cosine, eye));
         parts[LIT_GLOSS][i] =
             lit->kept * tint * ((1 - metal) * specular * shine[0] + metal * shine[1]);
@@ -417,19 +419,19 @@ void lit_reference_lobe(const LitReference *lit, const double way[3], double par
 static void phong_albedos(const LitReference *lit, double parts[LIT_PARTS][3])
 {
     for (int i = 0; i < 3; i++) {
-        const double clear = lit->slots.lane[SLOT_transparency][i];
+        const double clear = lit->slots.component[SLOT_transparency][i];
         const double kept = value(lit, SLOT_interpolatedTransparency) > 0 ? 1 - clear : 1;
-        parts[LIT_EVEN][i] = kept * lit->slots.lane[SLOT_diffuse][i];
-        parts[LIT_GLOSS][i] = kept * lit->slots.lane[SLOT_specular][i];
-        parts[LIT_BEHIND][i] = lit->slots.lane[SLOT_diffuseTransparency][i];
+        parts[LIT_EVEN][i] = kept * lit->slots.component[SLOT_diffuse][i];
+        parts[LIT_GLOSS][i] = kept * lit->slots.component[SLOT_specular][i];
+        parts[LIT_BEHIND][i] = lit->slots.component[SLOT_diffuseTransparency][i];
         parts[LIT_STRAIGHT][i] = clear;
     }
 }
 
 /* Albedo of the diffuse base for uniform light from all directions. */
-static double base_albedo(const LitReference *lit, double eye, int lane)
+static double base_albedo(const LitReference *lit, double eye, int component)
 {
-    const double color = clamped(lit->slots.lane[SLOT_diffuse][lane], 0, 1),
+    const double color = clamped(lit->slots.component[SLOT_diffuse][component], 0, 1),
                  all = lit->grain.mean[0];
     if (share(lit, SLOT_diffuseRoughness) <= 0)
         return color;
@@ -447,17 +449,18 @@ void lit_reference_albedos(const LitReference *lit, double parts[LIT_PARTS][3])
     const double eye = dot(lit->normal, lit->eye),
                  of_coat = fmax(dot(lit->coat_normal, lit->eye), 1e-3);
     const double through = layers_through(lit, eye, of_coat), metal = share(lit, SLOT_metalness);
-    const double fuzz = table_at(&lit->fuzz, eye, 0), *clear = lit->slots.lane[SLOT_transparency];
+    const double fuzz = table_at(&lit->fuzz, eye, 0),
+                 *clear = lit->slots.component[SLOT_transparency];
     for (int i = 0; i < 3; i++) {
-        const double tint = value(lit, SLOT_coat) > 0 ? lit->slots.lane[SLOT_coatTint][i] : 1;
+        const double tint = value(lit, SLOT_coat) > 0 ? lit->slots.component[SLOT_coatTint][i] : 1;
         const double left = lit->kept * through * tint, out = 1 - reflected(lit, false, eye, i);
-        const double specular = clamped(lit->slots.lane[SLOT_specular][i], 0, 1);
+        const double specular = clamped(lit->slots.component[SLOT_specular][i], 0, 1);
         parts[LIT_EVEN][i] = left * (1 - metal) * out * base_albedo(lit, eye, i) +
-                             lit->kept * (1 - fuzz) * lit->slots.lane[SLOT_fuzzColor][i];
+                             lit->kept * (1 - fuzz) * lit->slots.component[SLOT_fuzzColor][i];
         parts[LIT_GLOSS][i] =
             left * ((1 - metal) * specular * (1 - out) + metal * reflected(lit, true, eye, i));
         parts[LIT_COAT][i] = lit->kept * (1 - table_at(&lit->coat, of_coat, 0)) * fuzz;
-        parts[LIT_BEHIND][i] = left * out * lit->slots.lane[SLOT_diffuseTransparency][i];
+        parts[LIT_BEHIND][i] = left * out * lit->slots.component[SLOT_diffuseTransparency][i];
         const double holes = 1 - lit->kept, once = table_at(&lit->once[0], eye, i);
         parts[LIT_STRAIGHT][i] = value(lit, SLOT_transmission) > 0
                                      ? holes + (clear[i] - holes) * (1 - once) * through * tint
@@ -469,7 +472,7 @@ void lit_reference_emission(const LitReference *lit, double rgb[3])
 {
     const double eye = dot(lit->normal, lit->eye);
     for (int i = 0; i < 3; i++)
-        rgb[i] = lit->slots.lane[SLOT_emissive][i] *
+        rgb[i] = lit->slots.component[SLOT_emissive][i] *
                  (is_principled(lit)
                       ? layers_through(lit, eye, fmax(dot(lit->coat_normal, lit->eye), 1e-3))
                       : 1);
@@ -480,15 +483,15 @@ void lit_reference_open(const SlotValues *slots, const double eye[3], LitReferen
     memset(lit, 0, sizeof *lit);
     lit->slots = *slots;
     memcpy(lit->eye, eye, sizeof lit->eye);
-    memcpy(lit->normal, slots->lane[SLOT_normal], sizeof lit->normal);
-    const double *coat_normal = slots->lane[SLOT_coatNormal];
+    memcpy(lit->normal, slots->component[SLOT_normal], sizeof lit->normal);
+    const double *coat_normal = slots->component[SLOT_coatNormal];
     memcpy(lit->coat_normal, dot(coat_normal, coat_normal) > 0 ? coat_normal : lit->normal,
            sizeof lit->coat_normal);
     for (int i = 0; i < 3; i++)
         lit->mirrored[i] = 2 * dot(lit->normal, eye) * lit->normal[i] - eye[i];
     if (!is_principled(lit))
         return;
-    const double *clear = slots->lane[SLOT_transparency];
+    const double *clear = slots->component[SLOT_transparency];
     lit->kept =
         1 - clamped(fmax(clear[0], fmax(clear[1], clear[2])) - value(lit, SLOT_transmission), 0, 1);
     open_widths(lit);

@@ -43,25 +43,26 @@ static double reference_arrives(const SceneLight *light, const double point[3], 
 }
 
 /* Share of diffuse and specular that transparency leaves. */
-static double reference_kept(const SlotValues *slots, int lane)
+static double reference_kept(const SlotValues *slots, int component)
 {
-    return slots->lane[SLOT_interpolatedTransparency][0] != 0
-               ? 1 - slots->lane[SLOT_transparency][lane]
+    return slots->component[SLOT_interpolatedTransparency][0] != 0
+               ? 1 - slots->component[SLOT_transparency][component]
                : 1;
 }
 
-/* Light of a parallelogram: what its radiance is times for each lane. What comes straight through
- * has no cosine but its power's, and comes from a parallelogram that is all behind the surface. */
+/* Light of a parallelogram: what its radiance is times for each component. What comes straight
+ * through has no cosine but its power's, and comes from a parallelogram that is all behind the
+ * surface. */
 static void reference_area(const SceneLight *light, const Hit *hit, const double reflected[3],
                            const SlotValues *slots, double shares[3])
 {
     AreaCase c = {.both_sides = light->both_sides}, behind, on;
-    const double *n = slots->lane[SLOT_normal];
+    const double *n = slots->component[SLOT_normal];
     for (int i = 0; i < 3; i++) {
         c.corner[i] = light->position[i] - hit->world[i];
         c.u[i] = light->edges[0][i];
         c.v[i] = light->edges[1][i];
-        c.normal[i] = slots->lane[SLOT_normal][i];
+        c.normal[i] = slots->component[SLOT_normal][i];
         c.w[i] = reflected[i];
     }
     behind = c;
@@ -70,40 +71,44 @@ static void reference_area(const SceneLight *light, const Hit *hit, const double
     on = behind;
     for (int i = 0; i < 3; i++)
         on.normal[i] = on.w[i] = reflected[i] - 2 * reference_dot(reflected, n) * n[i];
-    on.exponent = fmax(slots->lane[SLOT_transparencyShininess][0] - 1, 0);
-    c.exponent = slots->lane[SLOT_shininess][0];
+    on.exponent = fmax(slots->component[SLOT_transparencyShininess][0] - 1, 0);
+    c.exponent = slots->component[SLOT_shininess][0];
     const double front = area_lambert(&c), back = area_lambert(&behind);
-    const double lobe = slots->lane[SLOT_specular][0] <= 0 ? 0
-                        : c.exponent == floor(c.exponent)  ? area_moment(&c)
-                                                           : area_integral(&c);
-    const double straight = slots->lane[SLOT_transparency][0] <= 0 || area_lambert(&behind) <= 0
-                                ? 0
-                                : area_integral(&on);
+    const double lobe = slots->component[SLOT_specular][0] <= 0 ? 0
+                        : c.exponent == floor(c.exponent)       ? area_moment(&c)
+                                                                : area_integral(&c);
+    const double straight =
+        slots->component[SLOT_transparency][0] <= 0 || area_lambert(&behind) <= 0
+            ? 0
+            : area_integral(&on);
     for (int i = 0; i < 3; i++)
-        shares[i] = reference_kept(slots, i) * (slots->lane[SLOT_diffuse][i] * front +
-                                                slots->lane[SLOT_specular][i] * lobe) +
-                    slots->lane[SLOT_diffuseTransparency][i] * back +
-                    slots->lane[SLOT_transparency][i] * straight;
+        shares[i] = reference_kept(slots, i) * (slots->component[SLOT_diffuse][i] * front +
+                                                slots->component[SLOT_specular][i] * lobe) +
+                    slots->component[SLOT_diffuseTransparency][i] * back +
+                    slots->component[SLOT_transparency][i] * straight;
 }
 
 /* Light from all around: what a direction of that height meets, matt or as a mirror. */
-static double reference_around(const SceneLight *light, int lane, double z, bool mirror)
+static double reference_around(const SceneLight *light, int component, double z, bool mirror)
 {
     const double s = fmin(fmax((z + .3) / .8, 0), 1),
-                 ground = mirror ? .6 * light->ground[lane] : light->ground[lane];
-    return ground + (light->light[lane] - ground) * (mirror ? s * s * (3 - 2 * s) : (1 + z) / 2);
+                 ground = mirror ? .6 * light->ground[component] : light->ground[component];
+    return ground +
+           (light->light[component] - ground) * (mirror ? s * s * (3 - 2 * s) : (1 + z) / 2);
 }
 
 /* Light of a Hemisphere; `normal` and `reflected` in the world. */
-static double reference_hemisphere(const SceneLight *light, const SlotValues *slots, int lane,
+static double reference_hemisphere(const SceneLight *light, const SlotValues *slots, int component,
                                    const double reflected[3])
 {
-    const double z = slots->lane[SLOT_normal][2], kept = reference_kept(slots, lane);
-    return (kept * slots->lane[SLOT_diffuse][lane] + slots->lane[SLOT_ambient][lane]) *
-               reference_around(light, lane, z, false) +
-           kept * slots->lane[SLOT_specular][lane] *
-               reference_around(light, lane, reflected[2], true) +
-           slots->lane[SLOT_diffuseTransparency][lane] * reference_around(light, lane, -z, false);
+    const double z = slots->component[SLOT_normal][2], kept = reference_kept(slots, component);
+    return (kept * slots->component[SLOT_diffuse][component] +
+            slots->component[SLOT_ambient][component]) *
+               reference_around(light, component, z, false) +
+           kept * slots->component[SLOT_specular][component] *
+               reference_around(light, component, reflected[2], true) +
+           slots->component[SLOT_diffuseTransparency][component] *
+               reference_around(light, component, -z, false);
 }
 
 /* semantics.md 4.1, with a ratio of indices of 1: nothing is refracted, and r is 0. k_d and k_s are
@@ -118,10 +123,10 @@ static void reference_shade(const Tracer *tracer, const Hit *hit, const Ray *ray
     double view[3], n[3], reflected[3], l[3];
     memcpy(view, ray->way, sizeof view);
     reference_normalize(view);
-    memcpy(n, slots->lane[SLOT_normal], sizeof n); /* it faces the eye */
+    memcpy(n, slots->component[SLOT_normal], sizeof n); /* it faces the eye */
     for (int i = 0; i < 3; i++) {
         reflected[i] = view[i] - 2 * reference_dot(view, n) * n[i];
-        sum[i] = slots->lane[SLOT_emissive][i];
+        sum[i] = slots->component[SLOT_emissive][i];
     }
     for (int k = 0; k < scene->light_count; k++) {
         const SceneLight *light = &scene->lights[k];
@@ -142,16 +147,18 @@ static void reference_shade(const Tracer *tracer, const Hit *hit, const Ray *ray
         const double arrives = reference_arrives(light, hit->world, l),
                      cosine = reference_dot(n, l);
         const double lobe =
-            pow(fmax(reference_dot(reflected, l), 0), slots->lane[SLOT_shininess][0]);
+            pow(fmax(reference_dot(reflected, l), 0), slots->component[SLOT_shininess][0]);
         const double on =
-            pow(fmax(reference_dot(view, l), 0), slots->lane[SLOT_transparencyShininess][0]);
+            pow(fmax(reference_dot(view, l), 0), slots->component[SLOT_transparencyShininess][0]);
         for (int i = 0; i < 3; i++) {
-            const double t = slots->lane[SLOT_transparency][i];
-            const double front = reference_kept(slots, i) * (slots->lane[SLOT_diffuse][i] +
-                                                             slots->lane[SLOT_specular][i] * lobe);
-            const double back = slots->lane[SLOT_diffuseTransparency][i] * fabs(cosine) + t * on;
+            const double t = slots->component[SLOT_transparency][i];
+            const double front =
+                reference_kept(slots, i) *
+                (slots->component[SLOT_diffuse][i] + slots->component[SLOT_specular][i] * lobe);
+            const double back =
+                slots->component[SLOT_diffuseTransparency][i] * fabs(cosine) + t * on;
             if (light->kind == SCENE_Ambient)
-                sum[i] += slots->lane[SLOT_ambient][i] * light->light[i];
+                sum[i] += slots->component[SLOT_ambient][i] * light->light[i];
             else
                 sum[i] +=
                     (cosine > 0 ? cosine * front : back) * light->light[i] * arrives * passes[i];
@@ -174,7 +181,7 @@ static void reference_sky(const Scene *scene, const Ray *ray, const MatcOptions 
     const SceneMaterial *sky = &scene->materials[scene->sky];
     evaluate_material(sky->document, sky->index, options, (SurfacePoints){&surface, 1}, &slots);
     for (int i = 0; i < 3; i++)
-        sum[i] = slots.lane[SLOT_diffuse][i] + slots.lane[SLOT_emissive][i];
+        sum[i] = slots.component[SLOT_diffuse][i] + slots.component[SLOT_emissive][i];
 }
 
 /* A surface's light, [0], and the share of what is behind it that passes, [1]. */
@@ -188,7 +195,7 @@ static void reference_layer(const Tracer *tracer, const Hit *hit, const Ray *ray
     evaluate_material(material->document, material->index, options, (SurfacePoints){&surface, 1},
                       &slots);
     reference_shade(tracer, hit, ray, &slots, layer[0]);
-    memcpy(layer[1], slots.lane[SLOT_transparency], sizeof layer[1]);
+    memcpy(layer[1], slots.component[SLOT_transparency], sizeof layer[1]);
 }
 
 void reference_surface_light(const Tracer *tracer, const Hit *hit, const Ray *ray,
@@ -209,7 +216,7 @@ void reference_surface_diffuse(const Tracer *tracer, const Hit *hit, const MatcO
     evaluate_material(material->document, material->index, options, (SurfacePoints){&surface, 1},
                       &slots);
     for (int i = 0; i < 3; i++)
-        diffuse[i] = reference_kept(&slots, i) * slots.lane[SLOT_diffuse][i];
+        diffuse[i] = reference_kept(&slots, i) * slots.component[SLOT_diffuse][i];
 }
 
 int reference_pixel(const Tracer *tracer, const Ray *ray, const MatcOptions *options, double sum[3],

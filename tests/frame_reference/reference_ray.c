@@ -39,22 +39,22 @@ static double reference_meets(const ShapeVertex *corner[3], const Ray *ray, doub
 }
 
 static double reference_mix(const ShapeVertex *corner[3], const double st[2], size_t offset,
-                            int lane)
+                            int component)
 {
     float value[3];
     for (int k = 0; k < 3; k++)
-        memcpy(&value[k], (const char *)corner[k] + offset + (size_t)lane * sizeof(float),
+        memcpy(&value[k], (const char *)corner[k] + offset + (size_t)component * sizeof(float),
                sizeof(float));
     return value[0] + st[0] * ((double)value[1] - value[0]) + st[1] * ((double)value[2] - value[0]);
 }
 
 /* Where the shape was before it was displaced. */
 static double reference_base(const Shape *shape, const ShapeVertex *corner[3], const double st[2],
-                             int lane)
+                             int component)
 {
     double value[3];
     for (int k = 0; k < 3; k++)
-        value[k] = (double)shape->base[corner[k] - shape->vertices][lane];
+        value[k] = (double)shape->base[corner[k] - shape->vertices][component];
     return value[0] + st[0] * (value[1] - value[0]) + st[1] * (value[2] - value[0]);
 }
 

@@ -51,8 +51,8 @@ void reference_across(const SceneMatrix *m, const double n[3], double out[3])
     memset(out, 0, 3 * sizeof *out);
     for (int i = 0; i < 3; i++) {
         reference_cross(c[(i + 1) % 3], c[(i + 2) % 3], cross);
-        for (int lane = 0; lane < 3; lane++)
-            out[lane] += sign * n[i] * cross[lane];
+        for (int component = 0; component < 3; component++)
+            out[component] += sign * n[i] * cross[component];
     }
 }
 

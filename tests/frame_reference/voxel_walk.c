@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { WORD = 32, LANES = 4 };
+enum { WORD = 32, COMPONENTS = 4 };
 
 VoxelWords voxel_words(int size)
 {
@@ -29,13 +29,13 @@ void voxel_words_set(VoxelWords *words, const int at[3])
 
 uint32_t *voxel_words_texels(const VoxelWords *words)
 {
-    const int count = words->size / WORD, layers = (count + LANES - 1) / LANES;
+    const int count = words->size / WORD, layers = (count + COMPONENTS - 1) / COMPONENTS;
     const size_t plane = (size_t)words->size * (size_t)words->size;
-    uint32_t *texels = calloc(plane * (size_t)layers * LANES, sizeof *texels);
+    uint32_t *texels = calloc(plane * (size_t)layers * COMPONENTS, sizeof *texels);
     for (size_t column = 0; column < plane; column++)
         for (int i = 0; i < count; i++)
-            texels[((size_t)(i / LANES) * plane + column) * LANES + (size_t)(i % LANES)] =
-                words->words[column * (size_t)count + (size_t)i];
+            texels[((size_t)(i / COMPONENTS) * plane + column) * COMPONENTS +
+                   (size_t)(i % COMPONENTS)] = words->words[column * (size_t)count + (size_t)i];
     return texels;
 }
 

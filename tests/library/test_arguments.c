@@ -229,16 +229,16 @@ static void wrong_error_count(void) { assert_int_equal(matc_error_count(NULL), 0
 
 static void wrong_set_default(void)
 {
-    const double lanes[4] = {1, 2, 3, 4};
+    const double components[4] = {1, 2, 3, 4};
     double before[4] = {9, 9, 9, 9};
-    assert_false(matc_set_default(NULL, "a", lanes, 1, before));
-    assert_false(matc_set_default(of.faulty, "a", lanes, 1, before));
-    assert_false(matc_set_default(of.fine, NULL, lanes, 1, before));
-    assert_false(matc_set_default(of.fine, "b", lanes, 1, before));
+    assert_false(matc_set_default(NULL, "a", components, 1, before));
+    assert_false(matc_set_default(of.faulty, "a", components, 1, before));
+    assert_false(matc_set_default(of.fine, NULL, components, 1, before));
+    assert_false(matc_set_default(of.fine, "b", components, 1, before));
     assert_false(matc_set_default(of.fine, "a", NULL, 1, before));
-    assert_false(matc_set_default(of.fine, "a", lanes, 0, before));
-    assert_false(matc_set_default(of.fine, "a", lanes, 4, before));
-    assert_false(matc_set_default(of.fine, "a", lanes, -1, before));
+    assert_false(matc_set_default(of.fine, "a", components, 0, before));
+    assert_false(matc_set_default(of.fine, "a", components, 4, before));
+    assert_false(matc_set_default(of.fine, "a", components, -1, before));
     assert_true(before[0] == 9);
 }
 
@@ -252,7 +252,7 @@ static void assert_no_value(const MatcDocument *d, int material, const char *poi
     assert_non_null(fault);
     assert_null(matc_eval(d, material, point, options, NULL));
     const MatcNumbers numbers = matc_eval_slot(d, material, point, options);
-    assert_true(numbers.lanes == 0 && numbers.fault);
+    assert_true(numbers.components == 0 && numbers.fault);
 }
 
 static void wrong_eval(void)

@@ -338,18 +338,18 @@ static void wrong_renderer_set_shadows(void)
 
 static void wrong_renderer_set_param(void)
 {
-    const float lanes[5] = {0}, none[3] = {0, NAN, 0};
+    const float components[5] = {0}, none[3] = {0, NAN, 0};
     static const int counts[] = {0, -1, 1, 2, 4, 5, INT_MAX, INT_MIN};
-    assert_false(matc_renderer_set_param(NULL, 0, "paint", lanes, 3));
-    EMPTY_REFUSES(matc_renderer_set_param(of.empty, 0, "paint", lanes, 3));
-    RENDER_REFUSES(matc_renderer_set_param(of.render, 0, NULL, lanes, 3));
-    RENDER_REFUSES(matc_renderer_set_param(of.render, 0, "paints", lanes, 3));
+    assert_false(matc_renderer_set_param(NULL, 0, "paint", components, 3));
+    EMPTY_REFUSES(matc_renderer_set_param(of.empty, 0, "paint", components, 3));
+    RENDER_REFUSES(matc_renderer_set_param(of.render, 0, NULL, components, 3));
+    RENDER_REFUSES(matc_renderer_set_param(of.render, 0, "paints", components, 3));
     RENDER_REFUSES(matc_renderer_set_param(of.render, 0, "paint", NULL, 3));
     RENDER_REFUSES(matc_renderer_set_param(of.render, 0, "paint", none, 3));
     for (size_t i = 0; i < sizeof counts / sizeof *counts; i++)
-        RENDER_REFUSES(matc_renderer_set_param(of.render, 0, "paint", lanes, counts[i]));
+        RENDER_REFUSES(matc_renderer_set_param(of.render, 0, "paint", components, counts[i]));
     for (int i = 0; i < OUTSIDE; i++)
-        RENDER_REFUSES(matc_renderer_set_param(of.render, outside[i], "paint", lanes, 3));
+        RENDER_REFUSES(matc_renderer_set_param(of.render, outside[i], "paint", components, 3));
 }
 
 static void wrong_renderer_set_perspective(void)

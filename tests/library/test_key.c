@@ -86,7 +86,7 @@ static void keys_are_of_what_a_program_is(void **state)
     /* added, multiplied */
     assert_int_equal(meeting(plain, with(plain, "offsetU: 0.3", "scaleU: 0.3"), NULL, NULL), 0);
     assert_int_equal(meeting(plain, with(plain, "offsetU: 0.3", "offsetV: 0.3"), NULL, NULL),
-                     SHAPES); /* lanes of a vec2 */
+                     SHAPES); /* components of a vec2 */
     assert_int_equal(meeting(plain, with(plain, "Checker", "VolumeChecker"), NULL, NULL), 0);
     assert_int_equal(meeting(plain, with(plain, "0.4", "0.45"), "constants", "uniform"),
                      KEYS | SHAPES);
@@ -157,12 +157,13 @@ static void places_become_members(void **state)
         float first;
         memcpy(&first, block + member->offset, sizeof first);
         assert_string_equal(member->type, place->type);
-        assert_memory_equal(member->values, place->values, sizeof(double) * (size_t)place->lanes);
+        assert_memory_equal(member->values, place->values,
+                            sizeof(double) * (size_t)place->components);
         assert_true(member->type[0] == 'u' || first == (float)place->values[0]);
         assert_true(member->offset >= end &&
-                    member->offset % (member->lanes < 3 ? 4 * member->lanes : 16) == 0);
+                    member->offset % (member->components < 3 ? 4 * member->components : 16) == 0);
         assert_non_null(strstr(matc_output(placed, MATC_FRAGMENT, NULL), member->name));
-        end = member->offset + 4 * member->lanes;
+        end = member->offset + 4 * member->components;
         assert_true(end <= matc_constant_bytes(placed));
     }
     matc_program_free(placed);
@@ -190,8 +191,9 @@ static void places_can_share_or_stay(void **state)
     for (int i = 0; i < count; i++) { /* all places of one value */
         const MatcConstant *place = matc_place(c.program, i),
                            *other = matc_place(c.program, first < 0 ? i : first);
-        bool equal = place->lanes == other->lanes && !strcmp(place->type, other->type) &&
-                     !memcmp(place->values, other->values, sizeof(double) * (size_t)place->lanes);
+        bool equal =
+            place->components == other->components && !strcmp(place->type, other->type) &&
+            !memcmp(place->values, other->values, sizeof(double) * (size_t)place->components);
         members[i] = equal ? 0 : -1;
         first = first < 0 ? i : first;
     }

@@ -35,7 +35,7 @@ static void uniforms_have_defaults(void **state)
     assert_int_equal(matc_uniform_count(program), 2);
     MatcUniform tint = *matc_uniform(program, 0), steps = *matc_uniform(program, 1);
     assert_string_equal(tint.name, "tint");
-    assert_int_equal(tint.lanes, 3);
+    assert_int_equal(tint.components, 3);
     assert_true(tint.initial[1] == 0.5 && !tint.whole);
     assert_true(steps.whole && steps.initial[0] == 12);
     assert_non_null(strstr(matc_output(program, MATC_FRAGMENT, NULL), "uniform int steps;"));
@@ -134,18 +134,18 @@ static void a_slot_is_evaluated_as_numbers(void **state)
         "material: Phong\ndiffuse: [0.1, 0.2, 0.30000000000000004]\nshininess: 0.7\n", &options);
     MatcNumbers numbers = matc_eval_slot(document, 0, "", &options);
     assert_null(numbers.fault);
-    assert_int_equal(numbers.lanes, 3);
-    assert_true(numbers.lane[0] == 0.1 && numbers.lane[1] == 0.2 &&
-                numbers.lane[2] == 0.30000000000000004);
+    assert_int_equal(numbers.components, 3);
+    assert_true(numbers.component[0] == 0.1 && numbers.component[1] == 0.2 &&
+                numbers.component[2] == 0.30000000000000004);
     options.slot = "normal";
     numbers = matc_eval_slot(document, 0, "u=0.5 front=0", &options);
-    assert_true(numbers.lanes == 3 && numbers.lane[2] == -1);
+    assert_true(numbers.components == 3 && numbers.component[2] == -1);
     options.slot = "alpha";
     numbers = matc_eval_slot(document, 0, "", &options);
-    assert_true(numbers.lanes == 1 && numbers.lane[0] == 1);
+    assert_true(numbers.components == 1 && numbers.component[0] == 1);
     numbers = matc_eval_slot(document, 0, "u=half", &options);
     assert_non_null(numbers.fault);
-    assert_int_equal(numbers.lanes, 0);
+    assert_int_equal(numbers.components, 0);
     options.slot = "colour";
     assert_non_null(matc_eval_slot(document, 0, "", &options).fault);
     options.slot = NULL;

@@ -21,7 +21,7 @@ static void ask_document(MatcDocument *d, int material, const MatcOptions *optio
     assert_null(matc_eval(d, material, "u=0.5", options, &fault));
     assert_non_null(fault);
     MatcNumbers numbers = matc_eval_slot(d, material, "", options);
-    assert_true(numbers.lanes == 0 && numbers.fault);
+    assert_true(numbers.components == 0 && numbers.fault);
     assert_int_equal(matc_moves(d, material, options), MATC_MOVES_none);
     assert_false(matc_move(d, material, options, &point, 1));
     assert_false(matc_has_volume(d, material));

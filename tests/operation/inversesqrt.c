@@ -69,7 +69,7 @@ int main(void)
     Lower l = {.session = &session, .graph = &graph, .ir = ir_new(&session, &graph), .job = &job};
     Ir *ir = l.ir;
     ir->simplify = opt_simplify;
-    Ref x = build_lane(ir, build_input(ir, INPUT_U), 0), root = build_inversesqrt(ir, x);
+    Ref x = build_component(ir, build_input(ir, INPUT_U), 0), root = build_inversesqrt(ir, x);
     expect(ir_is_number(ir, build_inversesqrt(ir, build_float(ir, 16)), 0.25), "it is not folded");
     expect(ir_cost(ir, root) == 4, "its cost is not that of its COST");
     ir_output(ir, OUT_color, 0, build_convert(ir, root, TYPE_vec4));

@@ -63,8 +63,9 @@ static void make_point(Choices *c, Point *p)
     uint32_t temper = choose(c, 4);
     memset(p, 0, sizeof *p);
     for (int i = 0; i < 3; i++)
-        for (int lane = 0; lane < (i ? 3 : 2); lane++)
-            p->input[inputs[i]][lane] = coordinate(c, temper > 1 || (temper == 1 && lane == 0));
+        for (int component = 0; component < (i ? 3 : 2); component++)
+            p->input[inputs[i]][component] =
+                coordinate(c, temper > 1 || (temper == 1 && component == 0));
     frame(c, p, temper > 1);
     direction(c, p->input[INPUT_ray], 1);
     if (chance(c, 1, 8))

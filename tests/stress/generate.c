@@ -57,10 +57,10 @@ static void begin_param(Generator *g)
 
 static bool choose_param(Generator *g) { return g->params < MOST_PARAMS && chance(g->c, 1, 16); }
 
-static void put_vector(Generator *g, int lanes, double low, double high)
+static void put_vector(Generator *g, int components, double low, double high)
 {
     text_put(g->out, "[");
-    for (int i = 0; i < lanes; i++) {
+    for (int i = 0; i < components; i++) {
         text_put(g->out, i ? ", " : "");
         put_number(g, generate_number(g->c, low, high, g->hostile));
     }
@@ -258,7 +258,7 @@ static Kind choose_map(Generator *g)
     return (Kind)(first + choose(g->c, KIND_COUNT - first));
 }
 
-/* Its inputs are read by their first lanes: how many they have is not known here. */
+/* Its inputs are read by their first components: how many they have is not known here. */
 static void put_expression(Generator *g)
 {
     const int inputs = g->left > 1 ? (int)choose(g->c, MOST_INPUTS + 1) : 0;
@@ -309,14 +309,14 @@ static void put_transformer(Generator *g)
 
 static void put_constant(Generator *g)
 {
-    int lanes = 1 + (int)choose(g->c, 4);
+    int components = 1 + (int)choose(g->c, 4);
     bool param = choose_param(g);
     if (param)
         begin_param(g);
-    if (lanes == 1)
+    if (components == 1)
         put_number(g, any_number(g));
     else
-        put_vector(g, lanes, -GENERATE_GREATEST, GENERATE_GREATEST);
+        put_vector(g, components, -GENERATE_GREATEST, GENERATE_GREATEST);
     text_put(g->out, param ? " }" : "");
 }
 

@@ -128,7 +128,7 @@ static void value(Formulas *f, int width, int depth)
         text_put(f->out, width ? "" : ")");
         return;
     }
-    leaf(f, width); /* nothing gives four lanes but what takes them */
+    leaf(f, width); /* nothing gives four components but what takes them */
 }
 
 void generate_formula(Choices *c, Text *out, int inputs)

@@ -25,16 +25,17 @@ static bool coordinates_agree(uint32_t a, uint32_t b, int bits)
     return rim || (abs(x[0] - x[1]) <= 1 && abs(y[0] - y[1]) <= 1);
 }
 
-static double shared_lane(uint32_t code, int bits, int lane)
+static double shared_component(uint32_t code, int bits, int component)
 {
-    return ldexp(code >> lane * bits & ((1u << bits) - 1), (int)(code >> 3 * bits));
+    return ldexp(code >> component * bits & ((1u << bits) - 1), (int)(code >> 3 * bits));
 }
 
 static bool shared_agree(uint32_t a, uint32_t b, int bits)
 {
     double step = ldexp(1, (int)((a > b ? a : b) >> 3 * bits));
-    for (int lane = 0; lane < 3; lane++)
-        if (fabs(shared_lane(a, bits, lane) - shared_lane(b, bits, lane)) > step)
+    for (int component = 0; component < 3; component++)
+        if (fabs(shared_component(a, bits, component) - shared_component(b, bits, component)) >
+            step)
             return false;
     return true;
 }
@@ -55,14 +56,14 @@ static bool codes_agree(const FieldRow *field, uint32_t a, uint32_t b)
     }
 }
 
-bool packed_agree(const LayoutRow *layout, int target, int lane, const PackedPair *pair)
+bool packed_agree(const LayoutRow *layout, int target, int component, const PackedPair *pair)
 {
     Placement placement;
     const double a = pair->word[0], b = pair->word[1];
     int number = 0;
     if (a == b)
         return true;
-    if (layout_case_bits(layout) && !target && !lane) {
+    if (layout_case_bits(layout) && !target && !component) {
         number = layout_case_of(layout, (uint32_t)a, (uint32_t)pair->last[0]);
         if (number != layout_case_of(layout, (uint32_t)b, (uint32_t)pair->last[1]))
             /* the optimiser sees of more slots that they are as absent ones: the slots are compared
@@ -75,7 +76,7 @@ bool packed_agree(const LayoutRow *layout, int target, int lane, const PackedPai
         return false;
     for (int i = 0; i < placement.count; i++) {
         const Piece *piece = &placement.pieces[i];
-        if (piece->target == target && piece->lane == lane &&
+        if (piece->target == target && piece->component == component &&
             !codes_agree(piece->field, code_of(piece, (uint32_t)a), code_of(piece, (uint32_t)b)))
             return false;
     }

@@ -17,8 +17,8 @@ void pixel_inputs(Pixel pixel, double inputs[INPUT_COUNT][4])
 {
     for (int i = 0; i < change_count; i++) {
         double part = strcmp(change_table[i].by, "dFdx") ? pixel.up : pixel.right;
-        for (int lane = 0; lane < 4; lane++)
-            inputs[change_table[i].input][lane] = part * inputs[change_table[i].of][lane];
+        for (int component = 0; component < 4; component++)
+            inputs[change_table[i].input][component] = part * inputs[change_table[i].of][component];
     }
 }
 

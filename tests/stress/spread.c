@@ -14,7 +14,7 @@ static const double SAMPLER_ERROR = 3. / 255;
 static double greatest(const FoldArg *arg)
 {
     double most = 0;
-    for (int i = 0; i < type_table[arg->type].lanes; i++)
+    for (int i = 0; i < type_table[arg->type].components; i++)
         most = fmax(most, fabs(arg->numbers[i]));
     return most;
 }
@@ -57,7 +57,7 @@ typedef struct {
 
 /* In [-1, 1). Every other evaluation errs alike wherever it does the same, as a driver's function
  * does: errors that do not cancel where many are summed. */
-static double toss(Erring *e, const IrNode *node, int lane)
+static double toss(Erring *e, const IrNode *node, int component)
 {
     Choices same;
     e->random.count = 0; /* nothing is played back */
@@ -67,7 +67,7 @@ static double toss(Erring *e, const IrNode *node, int lane)
     same.count = 0;
     same.state =
         (((uint64_t)e->evaluation * OP_COUNT + node->op) * 1024 + node->payload % 1024) * 64 +
-        (uint64_t)lane;
+        (uint64_t)component;
     return 2 * choose_part(&same) - 1;
 }
 
@@ -79,16 +79,16 @@ static double inner_error(Erring *e, const IrNode *node, const FoldArg *args, do
     const char *types = function_arguments((int)node->payload);
     int used = 0;
     for (int i = 0; i < node->count; i++)
-        for (int lane = 0; lane < type_table[args[i].type].lanes; lane++) {
-            double v = args[i].numbers[lane];
+        for (int component = 0; component < type_table[args[i].type].components; component++) {
+            double v = args[i].numbers[component];
             bool whole = types[i] == 's' || types[i] == 'i';
             numbers[used] =
                 whole ? v : v + 4 * FLOAT_ULP * toss(e, node, 1 + used) * fmax(1, fabs(v));
             used++;
         }
     reference_of((int)node->payload)(e->context, numbers, result);
-    /* which lane this is, is not known: the nearest */
-    for (int i = 0; i < type_table[node->type].lanes; i++)
+    /* which component this is, is not known: the nearest */
+    for (int i = 0; i < type_table[node->type].components; i++)
         most = i && fabs(result[i] - value) > most ? most : fabs(result[i] - value);
     return 2 * most;
 }
@@ -226,9 +226,10 @@ static double err(void *user, const IrNode *node, const FoldArg *args, double va
     return e->machine == MACHINE_float && fabs(value) < FLT_MIN ? 0 : value;
 }
 
-double spread_miss(const Spread *spread, int output, int lane, double value, double number)
+double spread_miss(const Spread *spread, int output, int component, double value, double number)
 {
-    double low = spread->low[output][lane], high = spread->high[output][lane], width = high - low;
+    double low = spread->low[output][component], high = spread->high[output][component],
+           width = high - low;
     if (!isfinite(number))
         return INFINITY;
     return fmax(0, fmax(low - width - number, number - high - width)) / fmax(1, fabs(value));

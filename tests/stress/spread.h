@@ -23,7 +23,7 @@ typedef struct {
 void spread_make(const Evaluated *at, Machine machine, int count, Spread *spread);
 /* How far a number lies outside, in units of max(1, |value|), the spread taken to be wider by its
  * own width on both sides. */
-double spread_miss(const Spread *spread, int output, int lane, double value, double number);
+double spread_miss(const Spread *spread, int output, int component, double value, double number);
 
 /* An evaluation as exact as doubles are, and what was seen on the way. */
 typedef struct {

@@ -232,16 +232,16 @@ static bool is_finite(Trial *t, Spot *s, bool *beyond)
     return true;
 }
 
-/* One lane of an output at a level, and what it should be. */
+/* One component of an output at a level, and what it should be. */
 typedef struct {
-    int level, output, lane;
+    int level, output, component;
     double want;
 } Expected;
 
 /* The spread is only made where they are apart. */
 static bool agrees(Trial *t, Spot *s, const Expected *e)
 {
-    const double got = s->exact[e->level].value[e->output][e->lane], want = e->want;
+    const double got = s->exact[e->level].value[e->output][e->component], want = e->want;
     if (fabs(got - want) <= double_bound * fmax(1, fabs(want)))
         return true;
     const Evaluated at = {s->program->ir[WITH_NUMBERS], &s->program->context[WITH_NUMBERS],
@@ -251,12 +251,12 @@ static bool agrees(Trial *t, Spot *s, const Expected *e)
         Spread spread;
         t->count->spreads++;
         spread_make(&at, MACHINE_double, count, &spread);
-        miss = fmax(spread_miss(&spread, e->output, e->lane, want, got),
-                    spread_miss(&spread, e->output, e->lane, got, want));
+        miss = fmax(spread_miss(&spread, e->output, e->component, want, got),
+                    spread_miss(&spread, e->output, e->component, got, want));
     }
     return miss <= double_bound ||
            trial_fault(t, e->level ? FAULT_level_2 : FAULT_level_0,
-                       "lane %d is %.17g, should be %.17g: %s", e->lane, got, want, where(s));
+                       "lane %d is %.17g, should be %.17g: %s", e->component, got, want, where(s));
 }
 
 static bool try_slot(Trial *t, Program *p, Slot slot)
@@ -272,15 +272,16 @@ static bool try_slot(Trial *t, Program *p, Slot slot)
         if (beyond)
             continue;
         trial_ask_oracle(t, point, front, slot, &wanted);
-        for (int lane = 0; lane < type_table[slot_table[slot].type].lanes; lane++) {
-            double written = s.exact[0].value[0][lane],
-                   want = wanted.known ? wanted.value.lane[slot][lane] : written;
-            double room = wanted.room.lane[slot][lane];
+        for (int component = 0; component < type_table[slot_table[slot].type].components;
+             component++) {
+            double written = s.exact[0].value[0][component],
+                   want = wanted.known ? wanted.value.component[slot][component] : written;
+            double room = wanted.room.component[slot][component];
             t->count->slopes += wanted.known && room > 0;
             if (room > 0 && fabs(want - written) <= room)
                 want = written; /* the optimiser is held to what was written */
             for (int level = 0; level < 2; level++)
-                if (!agrees(t, &s, &(Expected){level, 0, lane, want}))
+                if (!agrees(t, &s, &(Expected){level, 0, component, want}))
                     return false;
             t->count->values += 2;
         }
@@ -307,10 +308,10 @@ static bool pairs_in_range(Trial *t, const Spot *s, const LayoutRow *layout)
         const Piece *piece = &placement.pieces[i];
         if (piece->field->encoding != ENCODING_pair)
             continue;
-        double v = s->exact[1].value[output_of(s->program->ir[1], piece->target)][piece->lane];
+        double v = s->exact[1].value[output_of(s->program->ir[1], piece->target)][piece->component];
         if (!(v >= 1 && v <= 65504))
             return trial_fault(t, FAULT_packed, "the pair of target %d lane %d is %g: %s",
-                               piece->target, piece->lane, v, where(s));
+                               piece->target, piece->component, v, where(s));
     }
     return true;
 }
@@ -320,12 +321,12 @@ static bool in_range(Trial *t, const Spot *s, const LayoutRow *layout)
 {
     const Ir *ir = s->program->ir[1];
     for (int target = 0; target < (layout ? layout_targets(layout) : 1); target++)
-        for (int lane = 0; lane < 4; lane++) {
-            double v = s->exact[1].value[output_of(ir, target)][lane];
+        for (int component = 0; component < 4; component++) {
+            double v = s->exact[1].value[output_of(ir, target)][component];
             if (!packed_in_range(v,
                                  &format_table[layout ? layout->formats[target] : FORMAT_RGBA16F]))
-                return trial_fault(t, FAULT_packed, "target %d lane %d is %g: %s", target, lane, v,
-                                   where(s));
+                return trial_fault(t, FAULT_packed, "target %d lane %d is %g: %s", target,
+                                   component, v, where(s));
         }
     return !layout || pairs_in_range(t, s, layout);
 }
@@ -350,13 +351,13 @@ static bool output_agrees(Trial *t, Spot *s, const LayoutRow *layout, int output
     for (int level = 0; level < 2 && words; level++)
         last[level] =
             s->exact[level].value[output_of(s->program->ir[level], layout_targets(layout) - 1)][3];
-    for (int lane = 0; lane < 4; lane++) {
-        const double want = s->exact[0].value[output][lane];
-        if (words && packed_agree(layout, out->index, lane,
-                                  &(PackedPair){{want, s->exact[1].value[output][lane]},
+    for (int component = 0; component < 4; component++) {
+        const double want = s->exact[0].value[output][component];
+        if (words && packed_agree(layout, out->index, component,
+                                  &(PackedPair){{want, s->exact[1].value[output][component]},
                                                 {last[0], last[1]}}))
             continue;
-        if (!agrees(t, s, &(Expected){1, output, lane, want}))
+        if (!agrees(t, s, &(Expected){1, output, component, want}))
             return false;
     }
     return true;

@@ -124,17 +124,17 @@ static bool drawing_open(Drawing *d)
     return true;
 }
 
-/* One lane of a variant's drawing at a point: what it is, and what it should be. */
+/* One component of a variant's drawing at a point: what it is, and what it should be. */
 typedef struct {
     int noise, optimize; /* the variant's */
-    int point, lane;
+    int point, component;
     double want, got;
-} DrawnLane;
+} DrawnComponent;
 
 /* How far a drawn number is from what rounding may make of the program as written and, of an
  * optimised one, of that: its mix rounds by the greater of its operands. By `count` evaluations of
  * each. */
-static double spread_of(Drawing *d, const DrawnLane *drawn, int count)
+static double spread_of(Drawing *d, const DrawnComponent *drawn, int count)
 {
     double inputs[INPUT_COUNT][4], miss = INFINITY;
     inputs_at(d->trial->plan, drawn->point, inputs);
@@ -146,7 +146,7 @@ static double spread_of(Drawing *d, const DrawnLane *drawn, int count)
         d->trial->count->spreads++;
         d->work += d->each * count;
         spread_make(&at, MACHINE_float, count, &spread);
-        miss = fmin(miss, spread_miss(&spread, 0, drawn->lane, drawn->want, drawn->got));
+        miss = fmin(miss, spread_miss(&spread, 0, drawn->component, drawn->want, drawn->got));
     }
     return miss;
 }
@@ -155,9 +155,11 @@ static bool judge(Drawing *d, int noise, const Variant *v, int k, const double w
 {
     Trial *t = d->trial;
     const float *got = &d->rgba[0][4 * k];
-    for (int lane = 0; lane < type_table[slot_table[d->slot].type].lanes; lane++) {
-        const DrawnLane drawn = {noise, v->optimize, k, lane, want[lane], got[lane]};
-        double miss = fabs(got[lane] - want[lane]) / fmax(1, fabs(want[lane]));
+    for (int component = 0; component < type_table[slot_table[d->slot].type].components;
+         component++) {
+        const DrawnComponent drawn = {noise,     v->optimize,     k,
+                                      component, want[component], got[component]};
+        double miss = fabs(got[component] - want[component]) / fmax(1, fabs(want[component]));
         t->count->drawn_values++;
         t->count->judged += miss <= d->bound;
         for (int count = FEW; count <= MANY && miss > d->bound; count *= MANY / FEW) {
@@ -171,7 +173,8 @@ static bool judge(Drawing *d, int noise, const Variant *v, int k, const double w
                                "%s -O%d %s lane %d is %.9g, should be %.9g, at point %d: u=%.9g "
                                "v=%.9g x=%.9g y=%.9g z=%.9g",
                                target_table[v->target].name, v->optimize, slot_table[d->slot].name,
-                               lane, got[lane], want[lane], k, u[0], u[1], x[0], x[1], x[2]);
+                               component, got[component], want[component], k, u[0], u[1], x[0],
+                               x[1], x[2]);
     }
     return true;
 }
@@ -183,11 +186,11 @@ static bool compare(Drawing *d, const Variant *v)
     for (int k = 0; k < FIELD_COUNT; k++) {
         if (d->exact[noise][k].peak > t->plan->greatest)
             continue;
-        for (int lane = 0; lane < 4; lane++)
-            if (!isfinite(d->rgba[0][4 * k + lane]))
+        for (int component = 0; component < 4; component++)
+            if (!isfinite(d->rgba[0][4 * k + component]))
                 return trial_fault(t, FAULT_drawn_nan, "%s -O%d %s lane %d at point %d",
                                    target_table[v->target].name, v->optimize,
-                                   slot_table[d->slot].name, lane, k);
+                                   slot_table[d->slot].name, component, k);
     }
     for (int k = t->plan->first % JUDGED_STEP; k < FIELD_COUNT && !t->plan->only_finite;
          k += JUDGED_STEP) {
@@ -199,8 +202,9 @@ static bool compare(Drawing *d, const Variant *v)
         if (t->plan->oracle && !t->exact)
             oracle_material(d->oracles[noise], t->material, &surface, &values);
         else
-            memcpy(values.lane[d->slot], d->exact[noise][k].value[0], sizeof values.lane[0]);
-        if (!judge(d, noise, v, k, values.lane[d->slot]))
+            memcpy(values.component[d->slot], d->exact[noise][k].value[0],
+                   sizeof values.component[0]);
+        if (!judge(d, noise, v, k, values.component[d->slot]))
             return false;
     }
     return true;

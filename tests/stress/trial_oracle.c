@@ -15,14 +15,15 @@ static const double spans[SPAN_COUNT][2] = {{-1, 0}, {0, 1}, {-0.37, 0.59}, {-0.
 /* Farther out they are wide beside what maps do. */
 static const float far = 1000;
 
-static void judge_slope(TrialWanted *w, const SlotValues *sides, Slot slot, int lane)
+static void judge_slope(TrialWanted *w, const SlotValues *sides, Slot slot, int component)
 {
-    const double value = w->value.lane[slot][lane], size = fmax(1, fabs(value));
-    double apart = fabs(sides[SPAN_BEHIND].lane[slot][lane] - sides[SPAN_AHEAD].lane[slot][lane]);
+    const double value = w->value.component[slot][component], size = fmax(1, fabs(value));
+    double apart = fabs(sides[SPAN_BEHIND].component[slot][component] -
+                        sides[SPAN_AHEAD].component[slot][component]);
     w->known = w->known && apart <= slope_apart * size;
     for (int i = SPAN_OTHER; i < SPAN_COUNT; i++)
-        apart = fmax(apart, fabs(sides[i].lane[slot][lane] - value));
-    w->room.lane[slot][lane] = apart == 0 ? 0 : slope_room * size + 4 * apart;
+        apart = fmax(apart, fabs(sides[i].component[slot][component] - value));
+    w->room.component[slot][component] = apart == 0 ? 0 : slope_room * size + 4 * apart;
 }
 
 void trial_ask_oracle(Trial *t, const Point *point, bool front, Slot slot, TrialWanted *w)
@@ -43,6 +44,6 @@ void trial_ask_oracle(Trial *t, const Point *point, bool front, Slot slot, Trial
         oracle_material(t->oracle, t->material, &surface, &sides[i]);
     }
     oracle_slope_span(t->oracle, -1, 1);
-    for (int lane = 0; differs && lane < 4; lane++)
-        judge_slope(w, sides, slot, lane);
+    for (int component = 0; differs && component < 4; component++)
+        judge_slope(w, sides, slot, component);
 }

@@ -16,7 +16,7 @@ enum {
     WORDS = UNIT_WORDS + 4
 };
 
-/* A unit: a row of its own numbers, all lanes one after the other, as bits. */
+/* A unit: a row of its own numbers, all components one after the other, as bits. */
 typedef struct {
     uint64_t shape, key;
     const uint32_t *bits;
@@ -25,7 +25,7 @@ typedef struct {
 
 /* Units of one layout of numbers, in documents of one material each. */
 typedef struct {
-    const uint8_t *lanes;
+    const uint8_t *components;
     int count, documents, requests;
     Numbers numbers;
     const Row *rows; /* documents times requests */
@@ -45,12 +45,12 @@ static void fill_unit(Made *made, const Case *c, int i)
     const Row *row = &c->rows[i];
     int bits = 0;
     for (int k = 0; k < c->count; k++)
-        bits += c->lanes[k] > UNIT_WORDS ? c->lanes[k] - UNIT_WORDS : c->lanes[k];
+        bits += c->components[k] > UNIT_WORDS ? c->components[k] - UNIT_WORDS : c->components[k];
     made->units[i] = (Unit){.key = {row->key, 0},
                             .shape = {0, row->shape},
                             .pass = i % c->requests ? PASS_depth : PASS_gbuffer,
                             .count = c->count,
-                            .lanes = (uint8_t *)c->lanes,
+                            .components = (uint8_t *)c->components,
                             .bits = (uint32_t *)row->bits,
                             .bit_count = bits,
                             .written = row->written ? &made->written : NULL,
@@ -168,15 +168,15 @@ static void places_that_differ_apart_are_two_members(void **state)
     done(made);
 }
 
-/* One differing lane of four makes a member; lanes of a neighbor do not, nor does a number of other
- * width with equal bits. */
-static void lanes_are_of_their_own_number(void **state)
+/* One differing component of four makes a member; components of a neighbor do not, nor does a
+ * number of other width with equal bits. */
+static void components_are_of_their_own_number(void **state)
 {
-    static const uint8_t lanes[] = {WORDS, FLOAT, 2, FLOAT, FLOAT};
+    static const uint8_t components[] = {WORDS, FLOAT, 2, FLOAT, FLOAT};
     static const uint32_t a[] = {1, 1, 1, 1, 3, 4, 4, 4, 5}, b[] = {1, 1, 1, 2, 3, 6, 6, 6, 5};
     static const Row rows[] = {{5, 100, a, true}, {5, 101, b, true}};
     (void)state;
-    Made *made = group(&(Case){lanes, 5, 2, 1, NUMBERS_auto, rows});
+    Made *made = group(&(Case){components, 5, 2, 1, NUMBERS_auto, rows});
     assert_members(made, 0, (int[]){0, -1, 2, 3, -1}, 5);
     done(made);
 }
@@ -239,16 +239,16 @@ static void passes_have_programs_of_their_own(void **state)
  * and a unit of another shape. */
 static Made *group_wide(int count)
 {
-    static uint8_t lanes[MOST_MEMBERS + 1];
+    static uint8_t components[MOST_MEMBERS + 1];
     static uint32_t bits[3][MOST_MEMBERS + 1];
     static const Row rows[] = {{5, 100, bits[0], true}, {5, 101, bits[1], true},
                                {5, 100, bits[0], true}, {6, 103, bits[0], true},
                                {5, 102, bits[2], true}, {5, 102, bits[2], true}};
-    memset(lanes, FLOAT, sizeof lanes);
+    memset(components, FLOAT, sizeof components);
     for (int i = 0; i < 3; i++)
         for (int k = 0; k <= MOST_MEMBERS; k++)
             bits[i][k] = (uint32_t)(k * 3 + i);
-    return group(&(Case){lanes, count, 6, 1, NUMBERS_auto, rows});
+    return group(&(Case){components, count, 6, 1, NUMBERS_auto, rows});
 }
 
 static void a_buffer_has_room_for_1024_members(void **state)
@@ -299,7 +299,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(one_shape_shares_a_program),
         cmocka_unit_test(places_that_differ_apart_are_two_members),
-        cmocka_unit_test(lanes_are_of_their_own_number),
+        cmocka_unit_test(components_are_of_their_own_number),
         cmocka_unit_test(equal_numbers_need_no_buffer),
         cmocka_unit_test(without_auto_only_equal_keys_share),
         cmocka_unit_test(passes_have_programs_of_their_own),

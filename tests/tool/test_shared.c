@@ -148,17 +148,17 @@ static void set_constants(const Run *r, Material *shared, const cJSON *block, co
     cJSON_ArrayForEach(member, members)
     {
         const cJSON *number;
-        int offset = number_of(member, "offset"), lanes = 0;
+        int offset = number_of(member, "offset"), components = 0;
         bool word = text_of(member, "type")[0] == 'u';
         cJSON_ArrayForEach(number, list)
         {
             float value = (float)number->valuedouble;
             uint32_t whole = word ? (uint32_t)number->valuedouble : 0;
-            assert_true(offset + 4 * lanes + 4 <= size);
-            memcpy(bytes + offset + 4 * lanes++, word ? (void *)&whole : (void *)&value, 4);
+            assert_true(offset + 4 * components + 4 <= size);
+            memcpy(bytes + offset + 4 * components++, word ? (void *)&whole : (void *)&value, 4);
         }
         if (!target_table[r->target].blocks)
-            material_set(shared, &(MaterialValue){text_of(member, "name"), lanes,
+            material_set(shared, &(MaterialValue){text_of(member, "name"), components,
                                                   (float *)(void *)(bytes + offset)});
         else
             check_offset(shared, text_of(member, "name"), offset);
@@ -211,9 +211,9 @@ static bool is_near(const Point *point)
 {
     const double far = 100;
     double greatest = 0;
-    for (int lane = 0; lane < 3; lane++)
-        greatest = fmax(greatest,
-                        fmax(fabs(point->input[INPUT_U][lane]), fabs(point->input[INPUT_X][lane])));
+    for (int component = 0; component < 3; component++)
+        greatest = fmax(greatest, fmax(fabs(point->input[INPUT_U][component]),
+                                       fabs(point->input[INPUT_X][component])));
     return greatest <= far;
 }
 
@@ -268,8 +268,9 @@ static bool comes_back(const Run *r, Slot slot, const float *a, const float *b)
         double m[3] = {a[0], a[1], a[2]}, n[3] = {b[0], b[1], b[2]};
         return normal_angle(m, n) <= bound + 1e-3;
     }
-    for (int lane = 0; lane < type_table[slot_table[slot].type].lanes; lane++)
-        if (!(fabs((double)a[lane] - (double)b[lane]) <= bound + 1e-5 * fmax(1, fabs(b[lane]))))
+    for (int component = 0; component < type_table[slot_table[slot].type].components; component++)
+        if (!(fabs((double)a[component] - (double)b[component]) <=
+              bound + 1e-5 * fmax(1, fabs(b[component]))))
             return false;
     return true;
 }

@@ -11,7 +11,7 @@ static inline double note(double error, double *worst)
     return error;
 }
 
-/* Greatest difference of three lanes; a NaN is infinitely far. */
+/* Greatest difference of three components; a NaN is infinitely far. */
 static inline double apart(const float *drawn, const double *want)
 {
     double most = 0;

@@ -8,9 +8,9 @@ static const float *bake(Arena *arena, const IrTexture *t)
     double n[4];
     float *floats = arena_alloc(arena, sizeof *floats * (size_t)t->width * (size_t)t->height);
     for (int k = 0; k < 4; k++) {
-        double lanes[4];
-        value_number(&t->node->params[1 + k], TYPE_float, lanes);
-        n[k] = lanes[0];
+        double components[4];
+        value_number(&t->node->params[1 + k], TYPE_float, components);
+        n[k] = components[0];
     }
     const CarpenterRelief carpenter = {n[0], n[1], n[2], (int64_t)n[3], t->width, t->height};
     carpenter_bake(&carpenter, floats);
@@ -23,9 +23,9 @@ bool evaluate_textures(Arena *arena, const Ir *ir, ReferenceTexture textures[EVA
         return false;
     for (size_t i = 0; i < ir->texture_count; i++) {
         const IrTexture *t = &ir->textures[i];
-        textures[i] = (ReferenceTexture){.width = t->width, .height = t->height, .lanes = 1};
+        textures[i] = (ReferenceTexture){.width = t->width, .height = t->height, .components = 1};
         if (t->kind == TEXTURE_image) {
-            textures[i].lanes = 4;
+            textures[i].components = 4;
             textures[i].bytes = image_bytes(t->image);
             textures[i].words = image_words(t->image);
             textures[i].floats = image_floats(t->image);
@@ -43,8 +43,8 @@ void evaluate_inputs(const Point *point, bool front, double inputs[INPUT_COUNT][
 {
     memset(inputs, 0, sizeof(double[INPUT_COUNT][4]));
     for (int i = 0; i < POINT_VARYINGS; i++)
-        for (int lane = 0; lane < 3; lane++)
-            inputs[i][lane] = point->input[i][lane];
+        for (int component = 0; component < 3; component++)
+            inputs[i][component] = point->input[i][component];
     inputs[INPUT_front][0] = front;
     inputs[INPUT_IOR][0] = point_ior;
     inputs[INPUT_time][0] = point_time;
@@ -62,8 +62,9 @@ void evaluate_bends(const Point *point, double inputs[INPUT_COUNT][4])
     point_swings(point, swings);
     for (int to = 0; to < 2; to++) {
         memcpy(inputs[texture[to]], uv[to], sizeof uv[to]);
-        for (int lane = 0; lane < 3; lane++)
-            inputs[normal[to]][lane] = uv[to][0] * by[0][lane] + uv[to][1] * by[1][lane];
+        for (int component = 0; component < 3; component++)
+            inputs[normal[to]][component] =
+                uv[to][0] * by[0][component] + uv[to][1] * by[1][component];
         for (int i = 0; i < 6; i++)
             inputs[tangents[i / 3][to]][i % 3] =
                 uv[to][0] * swings[i / 3][0][i % 3] + uv[to][1] * swings[i / 3][1][i % 3];

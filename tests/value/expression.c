@@ -10,7 +10,7 @@ enum { MOST_ARGUMENTS = 16, LONGEST_WORD = 32 };
 typedef struct {
     const char *name;
     Input input;
-    int lane; /* -1: all */
+    int component; /* -1: all */
 } Leaf;
 
 static const Leaf leaves[] = {{"x", INPUT_X, 0},         {"y", INPUT_X, 1},  {"z", INPUT_X, 2},
@@ -18,7 +18,7 @@ static const Leaf leaves[] = {{"x", INPUT_X, 0},         {"y", INPUT_X, 1},  {"z
                               {"front", INPUT_front, -1}};
 enum { LEAF_COUNT = sizeof leaves / sizeof *leaves };
 
-static const Type type_of_lanes[] = {TYPE_float, TYPE_float, TYPE_vec2, TYPE_vec3, TYPE_vec4};
+static const Type type_of_components[] = {TYPE_float, TYPE_float, TYPE_vec2, TYPE_vec3, TYPE_vec4};
 
 static Ref read(Ir *ir, const char **at);
 
@@ -42,7 +42,7 @@ static Ref read_vector(Ir *ir, const char **at)
         numbers[count++] = strtod(*at, &end);
         *at = end;
     } while (count < 4 && accept(at, ','));
-    return accept(at, ']') ? ir_const(ir, type_of_lanes[count], numbers) : 0;
+    return accept(at, ']') ? ir_const(ir, type_of_components[count], numbers) : 0;
 }
 
 static Ref read_number(Ir *ir, const char **at)
@@ -60,7 +60,8 @@ static Ref read_leaf(Ir *ir, const char *word)
     for (int i = 0; i < LEAF_COUNT; i++)
         if (!strcmp(leaves[i].name, word)) {
             Ref input = build_input(ir, leaves[i].input);
-            return leaves[i].lane < 0 ? input : build_lane(ir, input, leaves[i].lane);
+            return leaves[i].component < 0 ? input
+                                           : build_component(ir, input, leaves[i].component);
         }
     if (!strcmp(word, "true") || !strcmp(word, "false"))
         return build_truth(ir, !strcmp(word, "true"));
@@ -70,7 +71,7 @@ static Ref read_leaf(Ir *ir, const char *word)
 static Ref make(Ir *ir, const char *word, const Ref *args, int count)
 {
     if (!strncmp(word, "vec", 3))
-        return build_vec_of(ir, type_of_lanes[word[3] - '0'], args, count);
+        return build_vec_of(ir, type_of_components[word[3] - '0'], args, count);
     for (int op = 0; op < OP_COUNT; op++)
         if (!strcmp(op_text((Op)op), word))
             return ir_make(
@@ -106,11 +107,11 @@ static Ref read(Ir *ir, const char **at)
               : isalpha((unsigned char)**at) ? read_word(ir, at)
                                              : read_number(ir, at);
     while (ref && **at == '.') {
-        char lanes[5] = "";
+        char components[5] = "";
         for (int i = 0; i < 4 && strchr("xyzw", (*at)[1]) && (*at)[1]; i++)
-            lanes[i] = *++*at;
+            components[i] = *++*at;
         ++*at;
-        ref = build_swizzle(ir, ref, lanes);
+        ref = build_swizzle(ir, ref, components);
     }
     return ref;
 }
@@ -123,30 +124,30 @@ Ref expression_read(Ir *ir, const char *text)
 
 static void print_const(Text *out, const Ir *ir, Ref ref)
 {
-    int lanes = ir_lanes(ir, ref);
+    int components = ir_components(ir, ref);
     const double *numbers = ir_numbers(ir, ref);
     if (ir_type(ir, ref) == TYPE_bool) {
         text_put(out, numbers[0] != 0 ? "true" : "false");
         return;
     }
-    text_put(out, lanes > 1 ? "[" : "");
-    for (int i = 0; i < lanes; i++)
+    text_put(out, components > 1 ? "[" : "");
+    for (int i = 0; i < components; i++)
         text_format(out, "%s%.10g", i ? ", " : "", numbers[i]);
-    text_put(out, lanes > 1                       ? "]"
+    text_put(out, components > 1                  ? "]"
                   : ir_type(ir, ref) == TYPE_int  ? "i"
                   : ir_type(ir, ref) == TYPE_uint ? "u"
                                                   : "");
 }
 
-/* An input, or one of its lanes that has a name. */
+/* An input, or one of its components that has a name. */
 static bool print_leaf(Text *out, const Ir *ir, Ref ref)
 {
     const IrNode *node = ir_at(ir, ref);
-    int lane = node->op == OP_swizzle && ir_lanes(ir, ref) == 1 ? (int)node->payload : -1;
-    Ref input = lane < 0 ? ref : ir_arg(ir, ref, 0);
+    int component = node->op == OP_swizzle && ir_components(ir, ref) == 1 ? (int)node->payload : -1;
+    Ref input = component < 0 ? ref : ir_arg(ir, ref, 0);
     for (int i = 0; i < LEAF_COUNT; i++)
         if (ir_is(ir, input, OP_input) && ir_at(ir, input)->payload == leaves[i].input &&
-            leaves[i].lane == lane) {
+            leaves[i].component == component) {
             text_put(out, leaves[i].name);
             return true;
         }
@@ -165,7 +166,7 @@ void expression_print(Text *out, const Ir *ir, Ref ref)
     if (node->op == OP_swizzle) {
         expression_print(out, ir, ir_arg(ir, ref, 0));
         text_char(out, '.');
-        for (int i = 0; i < ir_lanes(ir, ref); i++)
+        for (int i = 0; i < ir_components(ir, ref); i++)
             text_char(out, "xyzw"[node->payload >> 2 * i & 3]);
         return;
     }

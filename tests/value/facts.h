@@ -6,8 +6,9 @@
 #include <stdint.h>
 
 typedef enum {
-    FACT_input,     /* a varying that the fragment program reads; place: its location */
-    FACT_output,    /* a colour; place: its location; type: "float" or "uint", whatever its lanes */
+    FACT_input,  /* a varying that the fragment program reads; place: its location */
+    FACT_output, /* a colour; place: its location; type: "float" or "uint", whatever its components
+                  */
     FACT_attribute, /* of the vertex program; place: its location */
     FACT_texture,   /* place: its binding */
     FACT_block,     /* of uniforms; place: its binding; size: in bytes */

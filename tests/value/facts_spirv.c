@@ -82,7 +82,7 @@ static int columns_of(const Module *m, uint32_t type)
 static void spell(const Module *m, uint32_t type, char text[FACT_TEXT])
 {
     const uint32_t *at = m->ids[type].definition,
-                   *lane = opcode(at) == OP_TYPE_VECTOR ? m->ids[at[2]].definition : NULL;
+                   *component = opcode(at) == OP_TYPE_VECTOR ? m->ids[at[2]].definition : NULL;
     switch (opcode(at)) {
     case OP_TYPE_BOOL:
         snprintf(text, FACT_TEXT, "bool");
@@ -95,9 +95,9 @@ static void spell(const Module *m, uint32_t type, char text[FACT_TEXT])
         break;
     case OP_TYPE_VECTOR:
         snprintf(text, FACT_TEXT, "%svec%u",
-                 opcode(lane) == OP_TYPE_FLOAT ? ""
-                 : lane[3]                     ? "i"
-                                               : "u",
+                 opcode(component) == OP_TYPE_FLOAT ? ""
+                 : component[3]                     ? "i"
+                                                    : "u",
                  at[3]);
         break;
     case OP_TYPE_MATRIX:

@@ -20,8 +20,8 @@ static void move(const Surface *surface, bool volume, const OracleDisplacement *
         const double *along = &surface->root[channel_id(groups[k], 0)];
         const double size =
             fmax(sqrt(along[0] * along[0] + along[1] * along[1] + along[2] * along[2]), 1e-30);
-        for (int lane = 0; lane < 3; lane++)
-            position[lane] += by[k] * along[lane] / size;
+        for (int component = 0; component < 3; component++)
+            position[component] += by[k] * along[component] / size;
     }
 }
 
@@ -50,7 +50,7 @@ bool move_normals(const char *path, int material, const MovePoints *points, doub
     for (int i = 0; fine && i < points->count; i++) {
         SlotValues values;
         fine = oracle_material(oracle, d.graph->materials[material].node, &points->at[i], &values);
-        memcpy(normal[i], values.lane[SLOT_normal], 3 * sizeof **normal);
+        memcpy(normal[i], values.component[SLOT_normal], 3 * sizeof **normal);
     }
     oracle_close(oracle);
     document_close(&d);

@@ -14,7 +14,7 @@ typedef enum {
     STORE_halves,    /* octahedron in two half floats */
     STORE_spheremap, /* 2^bits levels */
     STORE_spheremap_halves,
-    STORE_xyz, /* each lane 2^bits levels, normalised when read */
+    STORE_xyz, /* each component 2^bits levels, normalised when read */
     STORE_xyz_halves
 } NormalStore;
 

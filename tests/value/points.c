@@ -161,22 +161,23 @@ void point_surface(const Point *point, bool front, Surface *surface)
                                   [GROUP_DV] = INPUT_DV, [GROUP_U] = INPUT_U, [GROUP_X] = INPUT_X};
     *surface = (Surface){.front = front};
     for (Group group = 0; group < GROUP_R; group++)
-        for (int lane = 0; lane < type_table[input_table[input[group]].type].lanes; lane++)
-            surface->root[channel_id(group, lane)] = point->input[input[group]][lane];
+        for (int component = 0; component < type_table[input_table[input[group]].type].components;
+             component++)
+            surface->root[channel_id(group, component)] = point->input[input[group]][component];
     surface->root[channel_id(GROUP_IOR, 0)] = point_ior;
     surface->root[channel_id(GROUP_T, 0)] = point_time;
     memcpy(&surface->root[channel_id(GROUP_E, 0)], point_viewer, sizeof point_viewer);
-    for (int lane = 0; lane < 3; lane++) {
-        surface->local_u[lane] = point->input[INPUT_XU][lane];
-        surface->local_v[lane] = point->input[INPUT_XV][lane];
+    for (int component = 0; component < 3; component++) {
+        surface->local_u[component] = point->input[INPUT_XU][component];
+        surface->local_v[component] = point->input[INPUT_XV][component];
     }
 }
 
 void point_bends(const Point *point, double by_u[3], double by_v[3])
 {
-    for (int lane = 0; lane < 3; lane++) {
-        by_u[lane] = 0.75 * point->input[INPUT_XV][lane];
-        by_v[lane] = -0.5 * point->input[INPUT_XU][(lane + 1) % 3];
+    for (int component = 0; component < 3; component++) {
+        by_u[component] = 0.75 * point->input[INPUT_XV][component];
+        by_v[component] = -0.5 * point->input[INPUT_XU][(component + 1) % 3];
     }
 }
 
@@ -197,7 +198,7 @@ static void surface_of(const PointSet *points, int i, Surface *surface)
         point_swings(&points->at[i], surface->tangent_slopes);
 }
 
-enum { AXES = 8, FRAME_LANES = 3 * LANES_OF_GROUP, CORNERS = 16, MANY_CORNERS = 96 };
+enum { AXES = 8, FRAME_LANES = 3 * COMPONENTS_OF_GROUP, CORNERS = 16, MANY_CORNERS = 96 };
 
 /* Rows of a Hadamard matrix: any two of the eight axes meet in all four combinations of signs. */
 static double corner_sign(int corner, int axis)
@@ -214,10 +215,11 @@ static void shift(double *number, double part, const Reach *reach, double least)
  * tangents by their rounding alone: a zero vector stays one. */
 static void move(Surface *surface, int corner, const Reach *reach)
 {
-    static const int axes[AXES] = {LANES_OF_GROUP * GROUP_U,     LANES_OF_GROUP * GROUP_U + 1,
-                                   LANES_OF_GROUP * GROUP_X,     LANES_OF_GROUP * GROUP_X + 1,
-                                   LANES_OF_GROUP * GROUP_X + 2, LANES_OF_GROUP * GROUP_P,
-                                   LANES_OF_GROUP * GROUP_P + 1, LANES_OF_GROUP * GROUP_P + 2};
+    static const int axes[AXES] = {
+        COMPONENTS_OF_GROUP * GROUP_U,     COMPONENTS_OF_GROUP * GROUP_U + 1,
+        COMPONENTS_OF_GROUP * GROUP_X,     COMPONENTS_OF_GROUP * GROUP_X + 1,
+        COMPONENTS_OF_GROUP * GROUP_X + 2, COMPONENTS_OF_GROUP * GROUP_P,
+        COMPONENTS_OF_GROUP * GROUP_P + 1, COMPONENTS_OF_GROUP * GROUP_P + 2};
     double part = 1 - fraction(corner * 0.61803398874989485);
     for (int i = 0; i < AXES; i++)
         shift(&surface->root[axes[i]], part * corner_sign(corner, i), reach, reach->least);
@@ -230,16 +232,16 @@ static int corner_count(const Surface *surface)
 {
     const double far = 1000;
     for (Group group = GROUP_P; group <= GROUP_X; group++)
-        for (int lane = 0; lane < 3; lane++)
-            if (fabs(surface->root[channel_id(group, lane)]) > far)
+        for (int component = 0; component < 3; component++)
+            if (fabs(surface->root[channel_id(group, component)]) > far)
                 return MANY_CORNERS;
     return CORNERS;
 }
 
 static void widen(Hull *hull, const SlotValues *values)
 {
-    const double *v = &values->lane[0][0];
-    double *low = &hull->low.lane[0][0], *high = &hull->high.lane[0][0];
+    const double *v = &values->component[0][0];
+    double *low = &hull->low.component[0][0], *high = &hull->high.component[0][0];
     for (int i = 0; i < SLOT_COUNT * 4; i++) {
         low[i] = fmin(low[i], v[i]);
         high[i] = fmax(high[i], v[i]);
@@ -304,8 +306,8 @@ bool point_is_extreme(const Point *point)
     const float limit = 1 << 22;
     const Input inputs[] = {INPUT_U, INPUT_X, INPUT_P};
     for (int i = 0; i < 3; i++)
-        for (int lane = 0; lane < 3; lane++)
-            if (fabsf(point->input[inputs[i]][lane]) >= limit)
+        for (int component = 0; component < 3; component++)
+            if (fabsf(point->input[inputs[i]][component]) >= limit)
                 return true;
     return false;
 }
@@ -318,10 +320,10 @@ void point_describe(const Point *p, char *text, size_t room)
              i[INPUT_P][2]);
 }
 
-double hull_miss(const Hull *hull, Slot slot, int lane, double number)
+double hull_miss(const Hull *hull, Slot slot, int component, double number)
 {
-    double value = hull->value.lane[slot][lane], low = hull->low.lane[slot][lane],
-           high = hull->high.lane[slot][lane];
+    double value = hull->value.component[slot][component],
+           low = hull->low.component[slot][component], high = hull->high.component[slot][component];
     double width = high - low, scale = fmax(1, fabs(value));
     if (!isfinite(number))
         return INFINITY;

@@ -71,7 +71,7 @@ void points_hulls(Oracle *oracle, const Node *material, const PointSet *points, 
  * a picture. */
 void points_widen(Oracle *oracle, const Node *material, const PointSet *points, Hull *hulls);
 
-/* How far a number lies outside of the hull of a lane, in units of max(1, |value|). The hull is a
- * sample of the neighbourhood: it is taken to be wider by its own width on both sides. */
-double hull_miss(const Hull *hull, Slot slot, int lane, double number);
+/* How far a number lies outside of the hull of a component, in units of max(1, |value|). The hull
+ * is a sample of the neighbourhood: it is taken to be wider by its own width on both sides. */
+double hull_miss(const Hull *hull, Slot slot, int component, double number);
 #endif

@@ -31,15 +31,15 @@ static double miss_of(const Rounded *r, const DrawnNumber *drawn, double bound)
     Evaluation exact;
     evaluate_inputs(drawn->point, drawn->front, inputs);
     evaluate_double(r->ir, &context, (const double(*)[4])inputs, &exact);
-    const double value = exact.value[0][drawn->lane];
+    const double value = exact.value[0][drawn->component];
     const Evaluated at = {r->ir, &context, (const double(*)[4])inputs,
                           (const double(*)[4])exact.value};
-    if (hull_miss(drawn->hull, drawn->slot, drawn->lane, value) > bound)
+    if (hull_miss(drawn->hull, drawn->slot, drawn->component, value) > bound)
         return INFINITY;
     for (int count = FEW; count <= MANY && miss > bound; count *= MANY / FEW) {
         Spread spread;
         spread_make(&at, MACHINE_float, count, &spread);
-        miss = spread_miss(&spread, 0, drawn->lane, value, drawn->number);
+        miss = spread_miss(&spread, 0, drawn->component, value, drawn->number);
     }
     return miss;
 }
@@ -49,7 +49,7 @@ double rounding_miss(Document *document, int material, const MatcOptions *option
 {
     MatcOptions baked = *options;
     double miss = INFINITY;
-    if (!(hull_miss(drawn->hull, drawn->slot, drawn->lane, drawn->number) <= ROUNDING_MOST))
+    if (!(hull_miss(drawn->hull, drawn->slot, drawn->component, drawn->number) <= ROUNDING_MOST))
         return INFINITY;
     baked.constants = "baked";
     for (int level = 0; level <= options->optimize && miss > bound; level += 2) {

@@ -10,7 +10,7 @@
 /* A drawn number, and what it should be. */
 typedef struct {
     Slot slot;
-    int lane;
+    int component;
     const Point *point;
     bool front;
     const Hull *hull;

@@ -149,7 +149,7 @@ static void sky(uint64_t *state, Tuple tuple)
     }
 }
 
-int argument_lanes(char letter) { return letter >= '2' && letter <= '4' ? letter - '0' : 1; }
+int argument_components(char letter) { return letter >= '2' && letter <= '4' ? letter - '0' : 1; }
 
 void tuple_draw(const Argument *arguments, const char *letters, uint64_t *state, Tuple tuple)
 {
@@ -165,18 +165,19 @@ void tuple_draw(const Argument *arguments, const char *letters, uint64_t *state,
                 unit(state, tuple[i]);
                 continue;
             }
-            for (int lane = 0; lane < argument_lanes(letters[i]); lane++)
-                tuple[i][lane] = a->form == FORM_size
-                                     ? (float)(lane ? call_textures->height : call_textures->width)
-                                     : number(a, state);
+            for (int component = 0; component < argument_components(letters[i]); component++)
+                tuple[i][component] =
+                    a->form == FORM_size
+                        ? (float)(component ? call_textures->height : call_textures->width)
+                        : number(a, state);
         }
 }
 
 void tuple_flatten(Tuple tuple, const char *letters, double *args)
 {
     for (int i = 0; letters[i]; i++)
-        for (int lane = 0; lane < argument_lanes(letters[i]); lane++)
-            *args++ = (double)tuple[i][lane];
+        for (int component = 0; component < argument_components(letters[i]); component++)
+            *args++ = (double)tuple[i][component];
 }
 
 static double reach_of(Form form, double v)
@@ -186,7 +187,7 @@ static double reach_of(Form form, double v)
     case FORM_position:
     case FORM_range:
         return step * fmax(1, fabs(v));
-    case FORM_unit: /* a sum or quotient of its lanes rounds as the greatest does */
+    case FORM_unit: /* a sum or quotient of its components rounds as the greatest does */
         return step;
     case FORM_width:
     case FORM_wide:
@@ -200,7 +201,7 @@ void tuple_move(double *args, const Argument *arguments, const char *letters, do
                 uint64_t *state)
 {
     for (int i = 0; letters[i]; i++)
-        for (int lane = 0; lane < argument_lanes(letters[i]); lane++, args++) {
+        for (int component = 0; component < argument_components(letters[i]); component++, args++) {
             double way = pick(state, 2) ? uniform(state, -1, 1) : (double)pick(state, 3) - 1;
             *args += way * reach * reach_of(arguments[i].form, *args);
         }

@@ -24,8 +24,8 @@ typedef struct {
     double low, high; /* place: size, far; texture: its number */
 } Argument;
 
-/* The lanes of an argument, by its letter. */
-int argument_lanes(char letter);
+/* The components of an argument, by its letter. */
+int argument_components(char letter);
 /* Fills a tuple; `state` is that of the random numbers. */
 void tuple_draw(const Argument *arguments, const char *letters, uint64_t *state, Tuple tuple);
 /* One after the other, as a reference wants them. */

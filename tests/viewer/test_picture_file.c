@@ -18,9 +18,9 @@ enum { WIDTH = 37, HEIGHT = 41 }; /* blocks of 16 rows, the last one in part */
 static char folder[] = "/tmp/picture_file.XXXXXX", path[64];
 
 /* Multiples of 1/255, of 1/65535 or of 2^-10, below and above 1; the top row has y = 0. */
-static float lane_of(int x, int y, int lane, int bits)
+static float component_of(int x, int y, int component, int bits)
 {
-    const int number = (x * 131 + y * 517 + lane * 29) % (bits == 8 ? 256 : 2048);
+    const int number = (x * 131 + y * 517 + component * 29) % (bits == 8 ? 256 : 2048);
     return bits == 8 ? (float)number / 255 : bits == 32 ? (float)number / 3 : (float)number / 1024;
 }
 
@@ -32,7 +32,7 @@ static void write_file(const PictureSpec *spec)
     assert_non_null(file);
     for (int y = 0; y < HEIGHT; y++) {
         for (int i = 0; i < WIDTH * 4; i++)
-            row[i] = lane_of(i / 4, y, i % 4, spec->bits);
+            row[i] = component_of(i / 4, y, i % 4, spec->bits);
         assert_null(picture_file_row(file, row));
     }
     assert_int_equal(access(path, F_OK), -1); /* nothing is there until it is whole */
@@ -40,9 +40,9 @@ static void write_file(const PictureSpec *spec)
     picture_file_close(file);
 }
 
-static unsigned whole_of(double lane, double most)
+static unsigned whole_of(double component, double most)
 {
-    return (unsigned)floor(fmin(lane, 1) * most + .5);
+    return (unsigned)floor(fmin(component, 1) * most + .5);
 }
 
 static void read_png(const PictureSpec *spec)
@@ -60,17 +60,17 @@ static void read_png(const PictureSpec *spec)
     png_init_io(png, in);
     png_read_info(png, info);
     assert_int_equal(png_get_bit_depth(png, info), spec->bits);
-    assert_int_equal(png_get_channels(png, info), spec->lanes);
+    assert_int_equal(png_get_channels(png, info), spec->components);
     assert_int_equal(png_get_valid(png, info, PNG_INFO_sRGB) != 0, spec->color);
     for (int y = 0; y < HEIGHT; y++) {
         png_byte row[WIDTH * 8];
         png_read_row(png, row, NULL);
-        for (int i = 0; i < WIDTH * spec->lanes; i++)
+        for (int i = 0; i < WIDTH * spec->components; i++)
             samples[i] = spec->bits == 8 ? row[i] : (uint16_t)(row[2 * i] << 8 | row[2 * i + 1]);
-        for (int i = 0; i < WIDTH * spec->lanes; i++)
-            assert_int_equal(samples[i],
-                             whole_of(lane_of(i / spec->lanes, y, i % spec->lanes, spec->bits),
-                                      spec->bits == 8 ? 255 : 65535));
+        for (int i = 0; i < WIDTH * spec->components; i++)
+            assert_int_equal(samples[i], whole_of(component_of(i / spec->components, y,
+                                                               i % spec->components, spec->bits),
+                                                  spec->bits == 8 ? 255 : 65535));
     }
     png_destroy_read_struct(&png, &info, NULL);
     fclose(in);
@@ -98,7 +98,7 @@ static void read_block(exr_context_t exr, const PictureSpec *spec, int top)
     exr_decode_pipeline_t pipe = EXR_DECODE_PIPELINE_INITIALIZER;
     assert_int_equal(exr_read_scanline_chunk_info(exr, 0, top, &chunk), 0);
     assert_int_equal(exr_decoding_initialize(exr, 0, &chunk, &pipe), 0);
-    assert_int_equal(pipe.channel_count, spec->lanes);
+    assert_int_equal(pipe.channel_count, spec->components);
     for (int i = 0; i < pipe.channel_count; i++) {
         assert_int_equal(pipe.channels[i].data_type,
                          spec->bits == 16 ? EXR_PIXEL_HALF : EXR_PIXEL_FLOAT);
@@ -112,11 +112,12 @@ static void read_block(exr_context_t exr, const PictureSpec *spec, int top)
     assert_int_equal(exr_decoding_run(exr, 0, &pipe), 0);
     for (int y = 0; y < chunk.height; y++)
         for (int x = 0; x < WIDTH; x++)
-            for (int i = 0; i < spec->lanes; i++) {
+            for (int i = 0; i < spec->components; i++) {
                 static const char order[] = "RGBA";
                 const char *place = strchr(order, *pipe.channels[i].channel_name);
-                const int lane = place ? (int)(place - order) : 0;
-                assert_true(planes[i][y * WIDTH + x] == lane_of(x, top + y, lane, spec->bits));
+                const int component = place ? (int)(place - order) : 0;
+                assert_true(planes[i][y * WIDTH + x] ==
+                            component_of(x, top + y, component, spec->bits));
             }
     exr_decoding_destroy(exr, &pipe);
 }
@@ -137,7 +138,7 @@ static void exrs_hold_what_they_are_given(void **state)
             read_block(exr, &specs[i], top);
         exr_finish(&exr);
         assert_int_equal(stat(path, &info), 0); /* what repeats is compressed */
-        assert_true(info.st_size < WIDTH * HEIGHT * specs[i].lanes * specs[i].bits / 8);
+        assert_true(info.st_size < WIDTH * HEIGHT * specs[i].components * specs[i].bits / 8);
         unlink(path);
     }
 }

@@ -10,7 +10,7 @@
 /* By libpng's own reader, from the top row down. */
 static void check_png(const PngPicture *picture, const uint8_t *file, size_t size)
 {
-    enum { LANES = 4 };
+    enum { COMPONENTS = 4 };
     png_image image = {.version = PNG_IMAGE_VERSION};
     assert_true(png_image_begin_read_from_memory(&image, file, size));
     assert_int_equal(image.width, picture->width);
@@ -20,9 +20,10 @@ static void check_png(const PngPicture *picture, const uint8_t *file, size_t siz
     assert_true(png_image_finish_read(&image, NULL, pixels, 0, NULL));
     for (int i = 0; i < picture->width * picture->height; i++) {
         int row = picture->height - 1 - i / picture->width, column = i % picture->width;
-        const uint8_t *wanted = picture->bytes + (row * picture->width + column) * picture->lanes;
-        for (int k = 0; k < LANES; k++)
-            assert_int_equal(pixels[LANES * i + k], k < picture->lanes ? wanted[k] : 255);
+        const uint8_t *wanted =
+            picture->bytes + (row * picture->width + column) * picture->components;
+        for (int k = 0; k < COMPONENTS; k++)
+            assert_int_equal(pixels[COMPONENTS * i + k], k < picture->components ? wanted[k] : 255);
     }
     free(pixels);
 }
@@ -31,11 +32,11 @@ static void png_comes_back(void **state)
 {
     (void)state;
     enum { W = 7, H = 3 };
-    for (int lanes = 3; lanes <= 4; lanes++) {
+    for (int components = 3; components <= 4; components++) {
         uint8_t bytes[W * H * 4];
-        PngPicture picture = {W, H, lanes, bytes};
-        for (int i = 0; i < W * H * lanes; i++)
-            bytes[i] = (uint8_t)(i * 37 + lanes);
+        PngPicture picture = {W, H, components, bytes};
+        for (int i = 0; i < W * H * components; i++)
+            bytes[i] = (uint8_t)(i * 37 + components);
         size_t size;
         const char *why;
         uint8_t *file = png_write(&picture, &size, &why);

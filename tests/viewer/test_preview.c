@@ -25,19 +25,20 @@ static double step_smoothly(double low, double high, double x)
     return t * t * (3 - 2 * t);
 }
 
-static double shade(const Phong *m, const View *view, Vector n, Vector ray, int lane)
+static double shade(const Phong *m, const View *view, Vector n, Vector ray, int component)
 {
     Vector reflected = added(ray, scaled(n, -2 * dot(ray, n)));
     double up = .5 + .5 * n.at[2], mirror = step_smoothly(-.3, .5, reflected.at[2]);
-    double around = below.at[lane] * (1 - up) + above.at[lane] * up;
-    double mirrored = .6 * below.at[lane] * (1 - mirror) + above.at[lane] * mirror;
+    double around = below.at[component] * (1 - up) + above.at[component] * up;
+    double mirrored = .6 * below.at[component] * (1 - mirror) + above.at[component] * mirror;
     double sum = m->emissive + (m->diffuse + m->ambient) * around + m->specular * mirrored;
     for (int i = 0; i < 3; i++) {
         Vector e = light_direction[i];
         Vector l = unit(added(added(scaled(view->right, e.at[0]), scaled(view->up, e.at[1])),
                               scaled(view->back, e.at[2])));
         double lobe = pow(fmax(dot(reflected, l), 0), m->exponent);
-        sum += (m->diffuse + m->specular * lobe) * fmax(dot(n, l), 0) * light_color[i].at[lane];
+        sum +=
+            (m->diffuse + m->specular * lobe) * fmax(dot(n, l), 0) * light_color[i].at[component];
     }
     return sum;
 }
@@ -100,11 +101,11 @@ static void spheres_are_lit(void **state)
 /* Radiance that a mirror reflects: the squares that stand for the lamps, 4 away, which light a
  * surface facing them as much (a square's published form factor), before the horizon's light. -1:
  * near an edge. */
-static double mirrored(const View *view, Vector at, Vector way, int lane)
+static double mirrored(const View *view, Vector at, Vector way, int component)
 {
     static const double halves[] = {3.2, 3.2, 2.4};
     const double mirror = step_smoothly(-.3, .5, way.at[2]);
-    double sum = .6 * below.at[lane] * (1 - mirror) + above.at[lane] * mirror;
+    double sum = .6 * below.at[component] * (1 - mirror) + above.at[component] * mirror;
     for (int i = 0; i < 3; i++) {
         const double *e = light_direction[i].at;
         const Vector to = unit(added(added(scaled(view->right, e[0]), scaled(view->up, e[1])),
@@ -119,7 +120,7 @@ static double mirrored(const View *view, Vector at, Vector way, int lane)
             continue;
         if (off > .8)
             return -1;
-        sum += light_color[i].at[lane] / (4 / M_PI * s * atan(s));
+        sum += light_color[i].at[component] / (4 / M_PI * s * atan(s));
     }
     return sum;
 }
@@ -243,10 +244,10 @@ static void slots_are_shown(void **state)
         snprintf(text, sizeof text, whole ? "%s%s" : "{ material: Phong%s%s }",
                  whole || plain ? "" : ", ", plain ? "" : given);
         Drawn p = draw_slot(text, "gbuffer", cases[i].slot, SIDE, SIDE);
-        for (int lane = 0; lane < 3; lane++)
-            if (fabs(p.rgb[MIDDLE + lane] - cases[i].bytes[lane]) > 1.5)
-                fail_msg("%s.%d: %d, not %g", cases[i].slot, lane, p.rgb[MIDDLE + lane],
-                         cases[i].bytes[lane]);
+        for (int component = 0; component < 3; component++)
+            if (fabs(p.rgb[MIDDLE + component] - cases[i].bytes[component]) > 1.5)
+                fail_msg("%s.%d: %d, not %g", cases[i].slot, component, p.rgb[MIDDLE + component],
+                         cases[i].bytes[component]);
         assert_int_equal(p.rgb[0], p.rgb[2]); /* beside the sphere */
         assert_true(p.rgb[0] < 45);
         discard(&p);

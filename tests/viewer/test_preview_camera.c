@@ -17,8 +17,8 @@ static void want_sky(const Drawn *p, Vector ray, double want[3])
     assert_int_equal(sscanf(line, " emissive %lf %lf %lf", &want[0], &want[1], &want[2]), 3);
     free(values);
     double most = fmax(fmax(want[0], want[1]), fmax(want[2], 1e-6));
-    for (int lane = 0; lane < 3; lane++)
-        want[lane] = byte_of(want[lane] * (1 - exp(-.9 * most)) / most);
+    for (int component = 0; component < 3; component++)
+        want[component] = byte_of(want[component] * (1 - exp(-.9 * most)) / most);
 }
 
 /* The camera of the sky stands at the origin and looks 41 degrees up, towards the sun as far as
@@ -43,8 +43,8 @@ static void compare_sky(const Drawn *p, const View *view)
         if (fabs(ray.at[2]) < horizon)
             continue;
         want_sky(p, ray, want);
-        for (int lane = 0; lane < 3; lane++)
-            worst = fmax(worst, fabs(p->rgb[3 * i + lane] - want[lane]));
+        for (int component = 0; component < 3; component++)
+            worst = fmax(worst, fabs(p->rgb[3 * i + component] - want[component]));
         ground += want[0] + want[1] + want[2] == 0;
     }
     print_message("%d x %d: within %.2f of 255, %d pixels of ground\n", view->width, view->height,

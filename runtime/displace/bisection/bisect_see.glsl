@@ -167,9 +167,9 @@ float bisectLightFar(BisectLight light, float last, vec3 middle, vec3 extent)
     if (high_slope <= 0.0)
         return length(bisectGap(from + last * way, extent + last * grows));
     for (int i = 0; i < 6; i++) {
-        int lane = i >> 1;
-        float side = (i & 1) != 0 ? -1.0 : 1.0, passes = way[lane] - side * grows[lane];
-        float at = (side * extent[lane] - from[lane]) / passes;
+        int component = i >> 1;
+        float side = (i & 1) != 0 ? -1.0 : 1.0, passes = way[component] - side * grows[component];
+        float at = (side * extent[component] - from[component]) / passes;
         if (passes == 0.0 || at <= low || at >= high)
             continue;
         float slope = bisectGapSlope(from, way, extent, grows, at);

@@ -75,7 +75,7 @@ size_t bisection_leaf_bytes(size_t places);
 /* Returns whether the light casts shadows that bisection takes into account. */
 bool bisection_casts(const SceneLight *light);
 /* Sets a uniform in all stages. */
-void bisection_set(Displaced *displaced, const char *name, int lanes, const float *values);
+void bisection_set(Displaced *displaced, const char *name, int components, const float *values);
 void bisection_set_number(Displaced *displaced, const char *name, double number);
 /* Sets the uniforms of the view. */
 void bisection_view_set(Displaced *displaced, const DisplacedView *view, const Mesh *mesh);

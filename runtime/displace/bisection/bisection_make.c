@@ -145,13 +145,13 @@ static int bits_of(size_t count)
     return bits;
 }
 
-void bisection_set(Displaced *d, const char *name, int lanes, const float *values)
+void bisection_set(Displaced *d, const char *name, int components, const float *values)
 {
     Bisection *b = d->own;
     for (int i = 0; i < BISECTION_STAGES; i++)
         if (b->stages[i].store)
-            material_set(&b->stages[i], &(MaterialValue){name, lanes, values});
-    material_set(&d->material, &(MaterialValue){name, lanes, values});
+            material_set(&b->stages[i], &(MaterialValue){name, components, values});
+    material_set(&d->material, &(MaterialValue){name, components, values});
 }
 
 void bisection_set_number(Displaced *d, const char *name, double number)
@@ -249,9 +249,9 @@ static void find_box(const ScenePatches *patches, const float reach[3], double b
         box[1][i] = -INFINITY;
         for (int row = 0; row < patches->row_count; row++) {
             double at = patches->world_from_local.m[12 + i];
-            for (int lane = 0; lane < 3; lane++)
-                at += patches->world_from_local.m[4 * lane + i] *
-                      (double)patches->rows[row].position[lane];
+            for (int component = 0; component < 3; component++)
+                at += patches->world_from_local.m[4 * component + i] *
+                      (double)patches->rows[row].position[component];
             box[0][i] = fmin(box[0][i], at - (double)reach[i]);
             box[1][i] = fmax(box[1][i], at + (double)reach[i]);
         }

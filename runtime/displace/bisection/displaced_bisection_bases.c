@@ -99,9 +99,9 @@ static void put_base(Maker *m, int patch, uint32_t *words)
         const ShapeVertex *row = &m->patches->rows[m->patches->at[patch].own[k]];
         for (int i = 0; i < 3; i++) {
             double at = world[12 + i], normal = 0;
-            for (int lane = 0; lane < 3; lane++) {
-                at += world[4 * lane + i] * (double)row->position[lane];
-                normal += local[4 * i + lane] * (double)row->normal[lane];
+            for (int component = 0; component < 3; component++) {
+                at += world[4 * component + i] * (double)row->position[component];
+                normal += local[4 * i + component] * (double)row->normal[component];
             }
             put_float(at, &words[4 + 3 * k + i]);
             put_float(normal, &words[13 + 3 * k + i]);

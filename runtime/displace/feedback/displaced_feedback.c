@@ -66,9 +66,9 @@ static double area_of(const ScenePatches *patches, int patch)
                         m[8 + i] * ((double)b[2] - (double)a[2]);
     }
     for (int i = 0; i < 3; i++) {
-        const double lane =
+        const double component =
             way[0][(i + 1) % 3] * way[1][(i + 2) % 3] - way[0][(i + 2) % 3] * way[1][(i + 1) % 3];
-        square += lane * lane;
+        square += component * component;
     }
     return square / 4; /* squared area */
 }

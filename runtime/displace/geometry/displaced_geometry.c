@@ -7,7 +7,7 @@
 
 /* Components captured per point; and the limit of points per draw on Mesa's software renderers:
  * displaced_tessellation.c. */
-enum { COMPONENTS = sizeof(MeshCaptured) / sizeof(float), SOFTWARE_POINTS = 1 << 15 };
+enum { GEOMETRY_COMPONENTS = sizeof(MeshCaptured) / sizeof(float), SOFTWARE_POINTS = 1 << 15 };
 
 bool displaced_geometry_there(const GlContext *gl)
 {
@@ -23,7 +23,7 @@ static int displaced_geometry_points(const GlContext *gl)
     GLint components = 0, points = 0;
     gl->GetIntegerv(GL_MAX_GEOMETRY_TOTAL_OUTPUT_COMPONENTS, &components);
     gl->GetIntegerv(GL_MAX_GEOMETRY_OUTPUT_VERTICES, &points);
-    return components / COMPONENTS < points ? components / COMPONENTS : points;
+    return components / GEOMETRY_COMPONENTS < points ? components / GEOMETRY_COMPONENTS : points;
 }
 
 /* -- output sizes: n rows have n^2 triangles in strips of n^2 + 2 n points; a band has two

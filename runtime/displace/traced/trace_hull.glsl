@@ -11,8 +11,8 @@ uniform int trace_patches, trace_hull; // trace_hull: number of triangles of a h
 
 void tracePut(int point, vec3 p)
 {
-    for (int lane = 0; lane < 3; lane++)
-        trace_hulls[TRACE_ROW * point + lane] = p[lane];
+    for (int component = 0; component < 3; component++)
+        trace_hulls[TRACE_ROW * point + component] = p[component];
 }
 
 void main()

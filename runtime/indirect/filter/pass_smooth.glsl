@@ -50,7 +50,7 @@ uniform float smooth_level;
 const float SMOOTH_NOISE = 3.0; // in standard deviations
 
 // Mean component of light, and ambient occlusion.
-vec2 smoothLanes(vec4 value) { return vec2(dot(value.xyz, vec3(1.0 / 3.0)), value.w); }
+vec2 smoothComponents(vec4 value) { return vec2(dot(value.xyz, vec3(1.0 / 3.0)), value.w); }
 
 vec2 smoothNoise(SmoothPlace from, ivec2 at)
 {
@@ -60,9 +60,9 @@ vec2 smoothNoise(SmoothPlace from, ivec2 at)
         for (int x = -1; x <= 1; x++) {
             ivec2 beside = clamp(at + ivec2(x, y), smoothLow(), smoothSize() - 1);
             float weight = smoothWeight(from, indirectPixel(beside), float(INDIRECT_COARSE * (abs(x) + abs(y))));
-            vec2 lanes = smoothLanes(texelFetch(smooth_rays, beside, 0));
-            sum += weight * lanes;
-            squares += weight * lanes * lanes;
+            vec2 components = smoothComponents(texelFetch(smooth_rays, beside, 0));
+            sum += weight * components;
+            squares += weight * components * components;
             weights += weight;
         }
     vec2 mean = sum / max(weights, 1e-3);
@@ -89,7 +89,7 @@ vec4 passPixel(ivec2 at)
             vec4 value = texelFetch(smooth_source, beside, 0);
             float same = kernel[abs(x)] * kernel[abs(y)] * (x == 0 && y == 0 ? 1.0 : smoothWeight(from, indirectPixel(beside), float(INDIRECT_COARSE * apart * (abs(x) + abs(y)))));
             vec2 weight = vec2(same);
-            if (smooth_level > 0.5) weight *= exp(-abs(smoothLanes(value) - smoothLanes(middle)) / noise);
+            if (smooth_level > 0.5) weight *= exp(-abs(smoothComponents(value) - smoothComponents(middle)) / noise);
             mean += weight.xxxy * value;
             sum += weight;
         }

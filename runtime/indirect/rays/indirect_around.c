@@ -37,7 +37,7 @@ bool indirect_is_directional(const Renderer *renderer)
     const char *view = renderer->options.view;
     return indirect_is(renderer) && in->directional && in->gain > 0 &&
            !indirect_method(renderer)->unlit && !indirect_is_repeated(renderer) &&
-           !(view && indirect_view_lanes(view)) &&
+           !(view && indirect_view_components(view)) &&
            (kinds_differ(renderer) || sky_differs(renderer));
 }
 

@@ -70,22 +70,22 @@ bool indirect_moves(const Renderer *renderer)
     return renderer->indirect->moving.on && indirect_moving(renderer);
 }
 
-int indirect_view_lanes(const char *view)
+int indirect_view_components(const char *view)
 {
     static const struct {
         const char *name;
-        int lanes;
+        int components;
     } views[] = {{"open", 1}, {"indirect", 3}, {"bent", 3}, {"visibility", 3}};
     for (size_t i = 0; i < sizeof views / sizeof *views; i++)
         if (!strcmp(view, views[i].name))
-            return views[i].lanes;
+            return views[i].components;
     return 0;
 }
 
 const char *indirect_lacks_view(const Renderer *renderer)
 {
     const char *view = renderer->options.view;
-    if (!view || !indirect_view_lanes(view) || indirect_is(renderer))
+    if (!view || !indirect_view_components(view) || indirect_is(renderer))
         return NULL;
     return is_reported(renderer) ? "the scene has no objects"
                                  : "the scene has no `indirect:`, which --indirect=METHOD gives it";

@@ -12,7 +12,7 @@ bool indirect_is(const Renderer *renderer);
 /* Returns the method in use; NULL if the scene has no `indirect:` block. */
 const IndirectMethod *indirect_method(const Renderer *renderer);
 /* Returns the components of a view of ambient occlusion or indirect light; 0 for any other view. */
-int indirect_view_lanes(const char *view);
+int indirect_view_components(const char *view);
 /* Reports whether the view has that name. */
 bool indirect_shows(const Renderer *renderer, const char *view);
 /* Returns the reason why the scene has nothing to show in a view of indirect light; NULL if the

@@ -25,11 +25,11 @@ static void pass_cubes_place(Renderer *renderer)
     screen_pass_sampler(&renderer->voxels->view, "voxel_slices", 0);
     material_set_number(&renderer->voxels->view.material, "voxel_size", (float)grid->size);
     for (int i = 0; i < 4; i++) {
-        float lanes[4] = {0};
+        float components[4] = {0};
         for (int k = 0; k < 3; k++)
-            lanes[k] =
+            components[k] =
                 (float)((i < 3 ? axes[i][k] : camera->position[k] - grid->low[k]) / grid->edge);
-        set(renderer, names[i], lanes);
+        set(renderer, names[i], components);
     }
     set(renderer, "cubes_ray", renderer->space.ray);
     set(renderer, "cubes_view", renderer->space.depth);

@@ -28,7 +28,7 @@ static GLuint make_texture(Renderer *renderer, GLenum format, int layers, int le
 {
     const GlContext *gl = renderer->gl;
     const int size = renderer->voxels->grid.size;
-    const GLenum lanes = format == GL_R32UI ? GL_RED_INTEGER : GL_RGBA_INTEGER;
+    const GLenum components = format == GL_R32UI ? GL_RED_INTEGER : GL_RGBA_INTEGER;
     GLuint made = 0;
     gl->GenTextures(1, &made);
     gl->BindTexture(GL_TEXTURE_2D_ARRAY, made);
@@ -38,7 +38,7 @@ static GLuint make_texture(Renderer *renderer, GLenum format, int layers, int le
     gl->TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, levels - 1);
     for (int level = 0; level < levels; level++)
         gl->TexImage3D(GL_TEXTURE_2D_ARRAY, level, (GLint)format, size >> level, size >> level,
-                       layers, 0, lanes, GL_UNSIGNED_INT, NULL);
+                       layers, 0, components, GL_UNSIGNED_INT, NULL);
     return made;
 }
 

@@ -9,7 +9,7 @@ void main()
     int words = textureSize(voxel_surface, 0).z;
     for (int layer = 0; layer < VOXEL_LAYERS; layer++) {
         voxels[layer] = texelFetch(voxel_within, ivec3(at, layer), 0);
-        for (int lane = 0; lane < 4 && 4 * layer + lane < words; lane++)
-            voxels[layer][lane] |= texelFetch(voxel_surface, ivec3(at, 4 * layer + lane), 0).x;
+        for (int component = 0; component < 4 && 4 * layer + component < words; component++)
+            voxels[layer][component] |= texelFetch(voxel_surface, ivec3(at, 4 * layer + component), 0).x;
     }
 }

@@ -32,12 +32,12 @@ static void world_from_place(const ShadowView *view, double m[4][4])
     vec3_cross(rows[2], rows[0], columns[1]);
     vec3_cross(rows[0], rows[1], columns[2]);
     const double volume = vec3_dot(rows[0], columns[0]);
-    for (int lane = 0; lane < 3; lane++) {
-        m[3][lane] = 0;
+    for (int component = 0; component < 3; component++) {
+        m[3][component] = 0;
         for (int i = 0; i < 3; i++) {
-            const double inverse = columns[i][lane] / volume;
-            m[3][lane] -= inverse * rows[i][3];
-            m[i][lane] = scale * inverse;
+            const double inverse = columns[i][component] / volume;
+            m[3][component] -= inverse * rows[i][3];
+            m[i][component] = scale * inverse;
         }
     }
     for (int i = 0; i < 4; i++)

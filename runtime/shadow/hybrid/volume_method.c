@@ -5,7 +5,7 @@
 #include "runtime/shadow/shadow.h"
 #include <stdio.h>
 
-enum { LANE_LIGHTS = 8 /* bits per component of the mask */ };
+enum { COMPONENT_LIGHTS = 8 /* bits per component of the mask */ };
 
 static bool crossed(const Scene *scene) { return scene->shadow_volume == WORD_Volume_silhouette; }
 
@@ -14,8 +14,8 @@ static const char *target(const Renderer *renderer, FrameTarget target)
 {
     if (target == FRAME_TARGET_depth && volume_lights_cast(renderer))
         return "DEPTH32F_STENCIL8";
-    return target == FRAME_TARGET_mask && volume_lights_count(renderer) > LANE_LIGHTS ? "RGBA8"
-                                                                                      : NULL;
+    return target == FRAME_TARGET_mask && volume_lights_count(renderer) > COMPONENT_LIGHTS ? "RGBA8"
+                                                                                           : NULL;
 }
 
 static bool make_maps(Renderer *renderer)

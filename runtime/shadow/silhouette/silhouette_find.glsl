@@ -28,7 +28,7 @@ layout(std430, binding = 1) readonly buffer Places {
 };
 // of all meshes: two ends, then the third corners of both faces
 layout(std430, binding = 2) readonly buffer Edges {
-    float edge_lanes[];
+    float edge_components[];
 };
 // per texel: extents of the segment to the right, and upwards
 layout(std430, binding = 3) buffer Extents {
@@ -49,7 +49,7 @@ float near, size;
 vec4 placeOf(uint edge, uint corner, mat4 worldFromLocal)
 {
     uint at = edge * 12u + corner * 3u;
-    vec4 world = worldFromLocal * vec4(edge_lanes[at], edge_lanes[at + 1u], edge_lanes[at + 2u], 1.0);
+    vec4 world = worldFromLocal * vec4(edge_components[at], edge_components[at + 1u], edge_components[at + 2u], 1.0);
     vec3 place = vec3(dot(silhouette_view[0], world), dot(silhouette_view[1], world), dot(silhouette_view[2], world));
     return near > 0.0 ? vec4(place.xy, near, place.z) : vec4(place, 1.0);
 }

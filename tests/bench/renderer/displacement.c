@@ -97,7 +97,7 @@ static bool read_map(const char *path, Field *f)
         const size_t count = (size_t)texture->width * (size_t)texture->width;
         *f = (Field){texture->width, malloc(count * sizeof *f->height)};
         for (size_t i = 0; f->height && i < count; i++)
-            f->height[i] = .25 * texture->bytes[i * (size_t)texture->lanes] / 255;
+            f->height[i] = .25 * texture->bytes[i * (size_t)texture->components] / 255;
         for (int i = 0; i < SMOOTHINGS && f->height; i++)
             smooth(f);
     } else {
@@ -115,8 +115,8 @@ static bool read_map(const char *path, Field *f)
 static bool lift(void *user, const ShapeVertex *at, int count, double (*to)[3])
 {
     for (int i = 0; i < count; i++) {
-        for (int lane = 0; lane < 3; lane++)
-            to[i][lane] = (double)at[i].position[lane];
+        for (int component = 0; component < 3; component++)
+            to[i][component] = (double)at[i].position[component];
         to[i][2] = height_at(user, to[i][0], to[i][1]);
     }
     return true;
@@ -181,8 +181,9 @@ static void unit_square(Shape *square)
 {
     shape_make_detailed(SHAPE_plane, (int[]){1, 1}, square);
     for (int i = 0; i < square->vertex_count; i++)
-        for (int lane = 0; lane < 2; lane++)
-            square->vertices[i].position[lane] = square->vertices[i].position[lane] > 0 ? 1 : 0;
+        for (int component = 0; component < 2; component++)
+            square->vertices[i].position[component] =
+                square->vertices[i].position[component] > 0 ? 1 : 0;
 }
 
 static bool measure_error(GlContext *gl, const BenchOptions *a)

@@ -39,10 +39,10 @@ static Off off_truth(Oracle *oracle, const Node *material, const Case *c, bool s
             curved_normal(c->body, scale, &surface.root[channel_id(GROUP_P, 0)], false, want);
         if (stays && c->vector)
             memset(surface.tangent_slopes, 0, sizeof surface.tangent_slopes);
-        for (int lane = 0; lane < 3 && stays && !c->vector; lane++)
-            surface.normal_u[lane] = surface.normal_v[lane] = 0;
+        for (int component = 0; component < 3 && stays && !c->vector; component++)
+            surface.normal_u[component] = surface.normal_v[component] = 0;
         oracle_material(oracle, material, &surface, &values);
-        const double angle = curved_angle(values.lane[SLOT_normal], want);
+        const double angle = curved_angle(values.component[SLOT_normal], want);
         off.mean += angle * angle / POINTS;
         off.most = fmax(off.most, angle);
     }

@@ -18,7 +18,7 @@ static const char truth_keys[] = "rays: 64, samples: 64, filter: none";
 
 static const struct {
     const char *view, *keys;
-    int lanes;
+    int components;
 } views[] = {{"open", "radius: .5, bounces: 0", 1}, {"indirect", "radius: 4", 3}};
 enum { VIEWS = sizeof views / sizeof *views };
 
@@ -68,17 +68,17 @@ static void time_frame(Drawn *drawn, bool first)
     drawn->least = first ? sum : fmin(drawn->least, sum);
 }
 
-static double error_of(const Drawn *drawn, const Drawn *truth, int edge, int lanes)
+static double error_of(const Drawn *drawn, const Drawn *truth, int edge, int components)
 {
     double squares = 0, sum = 0;
     for (int i = 0; i < edge * edge; i++)
-        for (int k = 0; k < lanes; k++) {
+        for (int k = 0; k < components; k++) {
             const double is = (double)truth->values[4 * i + k];
             squares += pow((double)drawn->values[4 * i + k] - is, 2);
             sum += is;
         }
-    const double count = (double)edge * edge * lanes;
-    return sqrt(squares / count) / (lanes > 1 ? sum / count : 1);
+    const double count = (double)edge * edge * components;
+    return sqrt(squares / count) / (components > 1 ? sum / count : 1);
 }
 
 static bool measure(GlContext *gl, const IndirectQuality *q, int view)
@@ -96,7 +96,7 @@ static bool measure(GlContext *gl, const IndirectQuality *q, int view)
     const Drawn *normal = &drawn[WORD_Quality_normal - WORD_Quality_draft];
     for (int i = 0; fine && i < QUALITIES; i++)
         printf("%-10s %-8s %8.4f %8s\n", views[view].view, word_table[WORD_Quality_draft + i].name,
-               error_of(&drawn[i], &truth, q->edge, views[view].lanes),
+               error_of(&drawn[i], &truth, q->edge, views[view].components),
                NUMBER(2, q->timed ? drawn[i].least / normal->least : NAN));
     fflush(stdout);
     for (int i = 0; i < QUALITIES; i++)

@@ -122,10 +122,10 @@ static void stand(Shape *shape)
 static void raise_z(Shape *shape)
 {
     for (int i = 0; i < 2 * shape->vertex_count; i++) {
-        float *lanes = i % 2 ? shape->vertices[i / 2].normal : shape->vertices[i / 2].position;
-        const float y = lanes[1];
-        lanes[1] = -lanes[2];
-        lanes[2] = y;
+        float *components = i % 2 ? shape->vertices[i / 2].normal : shape->vertices[i / 2].position;
+        const float y = components[1];
+        components[1] = -components[2];
+        components[2] = y;
     }
 }
 

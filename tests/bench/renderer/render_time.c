@@ -153,10 +153,10 @@ static int count_apart(const float *a, const float *b, int pixels, double bound)
     int apart = 0;
     for (int i = 0; i < pixels; i++) {
         double most = 0;
-        for (int lane = 4 * i; lane < 4 * i + 3; lane++)
-            most = fmax(most, isnan(a[lane]) || isnan(b[lane])
+        for (int component = 4 * i; component < 4 * i + 3; component++)
+            most = fmax(most, isnan(a[component]) || isnan(b[component])
                                   ? INFINITY
-                                  : fabs(fmin(a[lane], 1) - fmin(b[lane], 1)));
+                                  : fabs(fmin(a[component], 1) - fmin(b[component], 1)));
         apart += most > bound;
     }
     return apart;

@@ -40,19 +40,19 @@ static float *draw(const ShadowsPicture *p, const char *view, const ShadowsMetho
     return reported(p->target.gl->error), NULL;
 }
 
-/* One lane of a view. */
-static float *draw_lane(const ShadowsPicture *p, const ShadowsMethod *method)
+/* One component of a view. */
+static float *draw_component(const ShadowsPicture *p, const ShadowsMethod *method)
 {
-    float *lanes = draw(p, "light", method, NULL);
-    for (int i = 0; lanes && i < p->target.edge * p->target.edge; i++)
-        lanes[i] = lanes[4 * i];
-    return lanes;
+    float *components = draw(p, "light", method, NULL);
+    for (int i = 0; components && i < p->target.edge * p->target.edge; i++)
+        components[i] = components[4 * i];
+    return components;
 }
 
 /* The share of the light that arrives; NULL: said. */
 static float *draw_shares(const ShadowsPicture *p, const ShadowsMethod *method)
 {
-    float *shares = draw_lane(p, method);
+    float *shares = draw_component(p, method);
     for (int i = 0; shares && i < p->target.edge * p->target.edge; i++)
         shares[i] = p->light[i] > 0 ? shares[i] / p->light[i] : 0;
     return shares;
@@ -65,13 +65,13 @@ static void place_pixel(const ShadowsPicture *p, const ShadowView *view, int pix
     const double x = (2 * (pixel % p->target.edge) + 1.0) / p->target.edge - 1,
                  y = (2 * (pixel / p->target.edge) + 1.0) / p->target.edge - 1;
     for (int row = 0; row < 2; row++) {
-        double lane = view->rows[row][3];
+        double component = view->rows[row][3];
         for (int i = 0; i < 3; i++)
-            lane +=
+            component +=
                 view->rows[row][i] *
                 (camera->position[i] + camera->half * (x * camera->right[i] + y * camera->up[i]) -
                  (1 - depth) * camera->depth * camera->back[i]);
-        p->places[pixel][row] = lane * p->target.map_size / 2;
+        p->places[pixel][row] = component * p->target.map_size / 2;
     }
 }
 
@@ -117,7 +117,7 @@ bool shadows_picture_open(const ShadowsTarget *target, const ShadowsPlace *place
                           ShadowsPicture *made)
 {
     *made = (ShadowsPicture){.target = *target, .scene = place->scene};
-    made->light = draw_lane(made, NULL);
+    made->light = draw_component(made, NULL);
     made->truth = made->light ? draw_shares(made, &shadows_truth) : NULL;
     if (!made->truth || !place_pixels(made))
         return false;

@@ -105,7 +105,7 @@ static void see_text(Seen *seen, const char *path, const char *text, size_t size
 {
     MatcDocument *document = matc_read(path, text, size, options);
     for (int i = 0; i < QUANTITY_COUNT; i++) /* constants and attributes are other steps by then */
-        seen->quantity[i] |= (!quantity_table[i].lanes || quantity_table[i].attribute) &&
+        seen->quantity[i] |= (!quantity_table[i].components || quantity_table[i].attribute) &&
                              strstr(text, quantity_table[i].name);
     if (document->graph && document->graph->node_count)
         see_document(seen, document);

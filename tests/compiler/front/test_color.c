@@ -68,8 +68,8 @@ static char *read_palette(void *user, const char *path, size_t *size, const char
     return NULL;
 }
 
-/* The lanes that a slot has, as --eval gives them. */
-static void evaluate(const char *text, const char *slot, double *lanes, int count)
+/* The components that a slot has, as --eval gives them. */
+static void evaluate(const char *text, const char *slot, double *components, int count)
 {
     MatcOptions options;
     matc_options_init(&options);
@@ -86,7 +86,7 @@ static void evaluate(const char *text, const char *slot, double *lanes, int coun
     assert_non_null(at);
     at += strlen(line);
     for (int i = 0; i < count; i++)
-        lanes[i] = strtod(at, &at);
+        components[i] = strtod(at, &at);
     free(values);
     matc_document_free(document);
 }
@@ -148,10 +148,10 @@ static void every_file_says_what_its_colours_are(void **state)
     for (size_t i = 0; i < sizeof documents / sizeof *documents; i++) {
         double got[3];
         evaluate(documents[i].text, "emissive", got, 3);
-        for (int lane = 0; lane < 3; lane++)
-            if (fabs(got[lane] - wanted[documents[i].want][lane]) > 1e-6)
-                fail_msg("%s\nlane %d: %.9g, want %.9g", documents[i].text, lane, got[lane],
-                         wanted[documents[i].want][lane]);
+        for (int component = 0; component < 3; component++)
+            if (fabs(got[component] - wanted[documents[i].want][component]) > 1e-6)
+                fail_msg("%s\nlane %d: %.9g, want %.9g", documents[i].text, component,
+                         got[component], wanted[documents[i].want][component]);
     }
 }
 
@@ -224,7 +224,7 @@ static void a_picture_is_srgb_where_it_feeds_a_colour(void **state)
         {"include: srgbPicture.yaml\nmaterial: Phong\nemissive: { ref: tone }", "emissive", SRGB},
         {"include: srgbPicture.yaml\nmaterial: Phong\nshininess: { ref: tone }", "shininess",
          SHARP},
-        /* one lane; alpha is never decoded */
+        /* one component; alpha is never decoded */
         {"colors: srgb\nmaterial: Phong\nemissive: { map: ImageMap, image: gray.png, channel: b }",
          "emissive", SRGB},
         {"colors: srgb\nmaterial: Phong\nemissive: { map: ImageMap, image: gray.png, channel: a }",

@@ -9,11 +9,11 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { NONE = -1 }; /* lanes of a parameter without a default: a map, a wave, a picture */
+enum { NONE = -1 }; /* components of a parameter without a default: a map, a wave, a picture */
 
 typedef struct {
     const char *kind, *param;
-    int lanes;
+    int components;
     double value[3];
 } Default;
 
@@ -55,12 +55,12 @@ static void check_value(const char *kind, const Default *row, const Value *value
 {
     if (value->kind == VALUE_node)
         value = &value->node->params[0];
-    const int lanes = value->kind == VALUE_number ? type_table[value->type].lanes : NONE;
-    if (value->kind != VALUE_none && lanes != row->lanes)
-        fail_msg("%s.%s has %d lanes, not %d", kind, row->param, lanes, row->lanes);
-    if (value->kind == VALUE_none && row->lanes != NONE)
+    const int components = value->kind == VALUE_number ? type_table[value->type].components : NONE;
+    if (value->kind != VALUE_none && components != row->components)
+        fail_msg("%s.%s has %d lanes, not %d", kind, row->param, components, row->components);
+    if (value->kind == VALUE_none && row->components != NONE)
         fail_msg("%s.%s has no default", kind, row->param);
-    for (int i = 0; i < row->lanes; i++)
+    for (int i = 0; i < row->components; i++)
         if (value->number[i] != row->value[i])
             fail_msg("%s.%s is %g, not %g", kind, row->param, value->number[i], row->value[i]);
 }

@@ -24,7 +24,7 @@ enum { FORMULAS = 4000 / SANITIZED_STEP, DEPTH = 4, ROOM = 1 << 15, LEAVES = 11 
 typedef struct Branch Branch;
 struct Branch {
     const struct Rule *rule; /* NULL: a leaf */
-    int width;               /* lanes; CONDITION */
+    int width;               /* components; CONDITION */
     Branch *part[5];
     char leaf[24];
     Number own[4]; /* of a number */
@@ -136,7 +136,7 @@ static void print(Text *out, const Branch *t, int level, bool right)
     text_put(out, brackets ? ")" : "");
 }
 
-/* Numbers are in all lanes. `off`: how far every node may be off. */
+/* Numbers are in all components. `off`: how far every node may be off. */
 static void compute(const Branch *t, Number off, Number *result)
 {
     Number x[5][4] = {{0}};
@@ -146,21 +146,21 @@ static void compute(const Branch *t, Number off, Number *result)
             result[i] = by * (t->place < 0 ? t->own[i] : places[t->place][t->width == 1 ? 0 : i]);
         return;
     }
-    int lanes = 1;
+    int components = 1;
     for (int i = 0; t->rule->parts[i]; i++) {
         compute(t->part[i], off, x[i]);
-        lanes = t->part[i]->width > lanes ? t->part[i]->width : lanes;
+        components = t->part[i]->width > components ? t->part[i]->width : components;
     }
-    for (int lane = 0; lane < 4 && t->rule->lane; lane++)
-        result[lane] = t->rule->lane(
-            (const Number[]){x[0][lane], x[1][lane], x[2][lane], x[3][lane], x[4][lane]});
+    for (int component = 0; component < 4 && t->rule->component; component++)
+        result[component] = t->rule->component((const Number[]){
+            x[0][component], x[1][component], x[2][component], x[3][component], x[4][component]});
     if (t->rule->whole)
-        t->rule->whole((const Number(*)[4])x, lanes, result);
-    for (int lane = 0; lane < 4; lane++) {
+        t->rule->whole((const Number(*)[4])x, components, result);
+    for (int component = 0; component < 4; component++) {
         if (t->width == 1 && t->rule->whole)
-            result[lane] = result[0];
+            result[component] = result[0];
         if (off != 0 && t->width != CONDITION)
-            result[lane] *= 1 + off * ((int)draw(3) - 1);
+            result[component] *= 1 + off * ((int)draw(3) - 1);
     }
 }
 
@@ -196,13 +196,13 @@ static void draw_point(Surface *surface, double inputs[INPUT_COUNT][4])
         set_place(surface, inputs, place, value);
     }
     for (int i = 0; i < 5; i++)
-        for (int lane = 0; lane < 4; lane++)
-            places[i][lane] = i < 2 ? places[5][i] : places[6][i - 2];
-    for (int lane = 0; lane < 4; lane++)
-        places[LEAVES - 1][lane] = .25 * (lane + 1);
+        for (int component = 0; component < 4; component++)
+            places[i][component] = i < 2 ? places[5][i] : places[6][i - 2];
+    for (int component = 0; component < 4; component++)
+        places[LEAVES - 1][component] = .25 * (component + 1);
 }
 
-/* The conversion table, to three lanes. */
+/* The conversion table, to three components. */
 static void as_color(const Number *own, int width, Number *color)
 {
     for (int i = 0; i < 3; i++)
@@ -296,7 +296,7 @@ static void try_one(Score *s, const Branch *tree, const char *formula)
         if (!find_truth(&t, tree))
             continue;
         assert_true(oracle_material(oracle, d.graph->materials[0].node, &t.surface, &slots));
-        compare(&t, "oracle", slots.lane[SLOT_emissive]);
+        compare(&t, "oracle", slots.component[SLOT_emissive]);
         by_ir(&t, &d);
     }
     oracle_close(oracle);

@@ -57,7 +57,7 @@ static Formula *read_text(Fixture *f, const char *text)
 
 /* At u = .25, v = .5, p = (1, 2, 3); inputs 1, (1, 2), (1, 2, 3), (1, 2, 3, 4). NAN: it is
  * faulty. */
-static double value_of(const char *text, int lane)
+static double value_of(const char *text, int component)
 {
     Fixture f;
     open_fixture(&f);
@@ -79,7 +79,7 @@ static double value_of(const char *text, int lane)
         free(point.values);
     }
     arena_free(&f.arena);
-    return result[lane];
+    return result[component];
 }
 
 static void is_near(const char *text, double value)
@@ -234,16 +234,17 @@ static void every_term_is_total(void **state)
             int size = snprintf(text, sizeof text, "%s(", term_table[i].name);
             for (int k = 0; k < term_table[i].count; k++) {
                 const char letter = term_table[i].signature[k], *comma = k ? ", " : "";
-                const int lanes = letter == '3' ? 3 : letter == '2' ? 2 : 1;
-                size += snprintf(text + size, sizeof text - (size_t)size, lanes > 1 ? "%s[" : "%s",
-                                 comma);
-                for (int lane = 0; lane < lanes; lane++) {
+                const int components = letter == '3' ? 3 : letter == '2' ? 2 : 1;
+                size += snprintf(text + size, sizeof text - (size_t)size,
+                                 components > 1 ? "%s[" : "%s", comma);
+                for (int component = 0; component < components; component++) {
                     seed = seed * 1664525 + 1013904223;
-                    size +=
-                        snprintf(text + size, sizeof text - (size_t)size, "%s%s", lane ? ", " : "",
-                                 letter == 'i' ? "3" : numbers[(seed >> 8) % NUMBERS]);
+                    size += snprintf(text + size, sizeof text - (size_t)size, "%s%s",
+                                     component ? ", " : "",
+                                     letter == 'i' ? "3" : numbers[(seed >> 8) % NUMBERS]);
                 }
-                size += snprintf(text + size, sizeof text - (size_t)size, lanes > 1 ? "]" : "");
+                size +=
+                    snprintf(text + size, sizeof text - (size_t)size, components > 1 ? "]" : "");
             }
             snprintf(text + size, sizeof text - (size_t)size, ")");
             if (!isfinite(value_of(text, 0)))

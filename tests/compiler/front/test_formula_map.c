@@ -4,19 +4,19 @@
 
 enum { LONGEST = 4096 };
 
-/* -- how many lanes there are: as many as the widest of what a map is made of, written by hand from
- * language.md */
+/* -- how many components there are: as many as the widest of what a map is made of, written by hand
+ * from language.md */
 
 static const struct {
     const char *map;
-    int lanes;
+    int components;
 } widths[] = {
     {"{ map: Combine, r: .1, g: .2, b: .3 }", 3},
     {"{ map: Separate, input: red }", 1},
     {"{ map: Separate, channel: a, input: '#ff00ff80' }", 1},
     {"{ map: Mix }", 1},
     {"{ map: Mix, a: 0, b: [1, .5, .2] }", 3},
-    {"{ map: Mix, a: [1, .5], amount: '= [1, 0, 0]' }", 3}, /* two lanes and one number */
+    {"{ map: Mix, a: [1, .5], amount: '= [1, 0, 0]' }", 3}, /* two components and one number */
     {"{ map: Mix, a: 1, b: 0, amount: '= [1, 0, 0]' }", 1},
     {"{ map: Add, a: .5, b: red }", 3},
     {"{ map: Multiply, b: '#ff00ff80' }", 4},
@@ -52,15 +52,15 @@ static const struct {
     {"{ map: Graytone }", 1},
 };
 
-/* With numbers that fill it up from so many lanes, vec4 takes the map. */
-static bool fills_four(const char *map, int lanes)
+/* With numbers that fill it up from so many components, vec4 takes the map. */
+static bool fills_four(const char *map, int components)
 {
     static const char *const rest[] = {"", ", u, u, u", ", u, u", ", u", ""};
     char text[LONGEST];
     snprintf(
         text, sizeof text,
         "material: Phong\ndiffuse: { map: Expression, is: \"vec4(c%s).x\", with: { c: %s } }\n",
-        rest[lanes], map);
+        rest[components], map);
     const MatcOptions options = quick();
     MatcDocument *document = read_text(text, &options);
     const bool fills = !matc_error_count(document);
@@ -68,14 +68,16 @@ static bool fills_four(const char *map, int lanes)
     return fills;
 }
 
-static void a_map_has_the_lanes_of_its_widest(void **state)
+static void a_map_has_the_components_of_its_widest(void **state)
 {
     (void)state;
     for (size_t i = 0; i < sizeof widths / sizeof *widths; i++)
-        for (int lanes = 1; lanes <= 4; lanes++) {
-            const bool alone = lanes == 4 && widths[i].lanes == 1; /* one number makes four, too */
-            if (fills_four(widths[i].map, lanes) != (lanes == widths[i].lanes || alone))
-                fail_msg("%s: not %d lanes", widths[i].map, widths[i].lanes);
+        for (int components = 1; components <= 4; components++) {
+            const bool alone =
+                components == 4 && widths[i].components == 1; /* one number makes four, too */
+            if (fills_four(widths[i].map, components) !=
+                (components == widths[i].components || alone))
+                fail_msg("%s: not %d lanes", widths[i].map, widths[i].components);
         }
 }
 
@@ -150,7 +152,7 @@ static void its_name_is_all_of_it(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_map_has_the_lanes_of_its_widest),
+        cmocka_unit_test(a_map_has_the_components_of_its_widest),
         cmocka_unit_test(its_name_is_all_of_it),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

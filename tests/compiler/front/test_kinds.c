@@ -18,8 +18,8 @@ typedef enum {
     SORT_truth,
     SORT_nothing,
     SORT_object,
-    SORT_gray,    /* a colour of equal lanes */
-    SORT_color,   /* a literal colour of unequal lanes */
+    SORT_gray,    /* a colour of equal components */
+    SORT_color,   /* a literal colour of unequal components */
     SORT_name,    /* the same by its name, which is none of a formula */
     SORT_defined, /* a definition of such a colour */
     SORT_blend,   /* a map of such colours */
@@ -81,7 +81,8 @@ static bool suits(const ParamRow *row, Sort sort)
     case PARAM_Map:
         return sort == SORT_number || sort == SORT_map ||
                (sort == SORT_list &&
-                (!row->lanes || row->lanes == 3 || param_is_colored((int)(row - param_table))) &&
+                (!row->components || row->components == 3 ||
+                 param_is_colored((int)(row - param_table))) &&
                 !param_is_number((int)(row - param_table)));
     case PARAM_Material:
         return sort == SORT_material;

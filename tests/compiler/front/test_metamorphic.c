@@ -75,8 +75,8 @@ static const char *ir_text(Side *s)
  * compared. */
 static bool is_fit(const Point *p)
 {
-    for (int lane = 0; lane < 2; lane++)
-        if (p->input[INPUT_U][lane] != 0 && fabsf(p->input[INPUT_U][lane]) < 1e-6f)
+    for (int component = 0; component < 2; component++)
+        if (p->input[INPUT_U][component] != 0 && fabsf(p->input[INPUT_U][component]) < 1e-6f)
             return false;
     return !point_is_extreme(p);
 }
@@ -109,12 +109,12 @@ static void compare(const Rule *rule, const Point *field, int first)
             evaluate(&sides[1], level, point, i % 3, &y);
             if (!is_fit(point) || x.peak > GREATEST_VALUE || y.peak > GREATEST_VALUE)
                 continue;
-            for (int lane = 0; lane < 3; lane++) {
-                double want = x.value[0][lane], got = y.value[0][lane];
+            for (int component = 0; component < 3; component++) {
+                double want = x.value[0][component], got = y.value[0][component];
                 /* both may be infinite */
                 if (want != got && !(fabs(want - got) <= same.bound * fmax(1, fabs(want))))
-                    fail_msg("-O%d lane %d: %.17g and %.17g at point %d\n%s\n%s", 2 * level, lane,
-                             want, got, (first + i) % FIELD_COUNT, a, b);
+                    fail_msg("-O%d lane %d: %.17g and %.17g at point %d\n%s\n%s", 2 * level,
+                             component, want, got, (first + i) % FIELD_COUNT, a, b);
             }
         }
     arena_free(&sides[0].arena);

@@ -41,9 +41,9 @@ static void noise_is_that_of_materialx(void **state)
         const double given[] = {noises[i].noise3, noises[i].noise2, noises[i].fractal};
         static const char *const slots[] = {"diffuse", "specular", "emissive"};
         for (int k = 0; k < 3; k++) {
-            double lanes[3] = {0};
-            assert_int_equal(read_slot(values, slots[k], lanes), 3);
-            worst = fmax(worst, fabs(lanes[0] - given[k]));
+            double components[3] = {0};
+            assert_int_equal(read_slot(values, slots[k], components), 3);
+            worst = fmax(worst, fabs(components[0] - given[k]));
         }
         free(values);
     }
@@ -97,15 +97,16 @@ static void cells_are_those_of_materialx(void **state)
     double worst = 0;
     for (size_t i = 0; i < sizeof cells / sizeof *cells; i++) {
         char at[128], *values, *other;
-        double lanes[3] = {0};
+        double components[3] = {0};
         snprintf(at, sizeof at, "x=%.9g y=%.9g z=%.9g", cells[i].p[0], cells[i].p[1],
                  cells[i].p[2]);
         values = values_at(text, at, NULL);
         other = values_at("material: Phong\ndiffuse: { map: Worley, style: 1, dimensions: 2 }\n",
                           at, NULL);
         for (int k = 0; k < 7; k++) {
-            assert_int_equal(read_slot(k < 6 ? values : other, slots[k < 6 ? k : 0], lanes), 3);
-            worst = fmax(worst, fabs(lanes[0] - cells[i].number[k]));
+            assert_int_equal(read_slot(k < 6 ? values : other, slots[k < 6 ? k : 0], components),
+                             3);
+            worst = fmax(worst, fabs(components[0] - cells[i].number[k]));
         }
         free(values), free(other);
     }

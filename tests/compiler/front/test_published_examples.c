@@ -33,7 +33,7 @@ typedef struct {
 
 typedef struct {
     const char *slot;
-    int lanes;
+    int components;
     double value[3];
 } Extra;
 
@@ -220,10 +220,10 @@ static const struct {
 static Place place_of(const Row *row, int i)
 {
     Place at = {.noise = noises[i].noise, .u = .1 + .15 * i, .v = .9 - .2 * i};
-    for (int lane = 0; lane < 3; lane++) {
-        at.raw[lane] = texels[i].texel[lane] / 255;
-        at.color[lane] = linear_of(at.raw[lane]);
-        at.p[lane] = noises[i].p[lane] / 4;
+    for (int component = 0; component < 3; component++) {
+        at.raw[component] = texels[i].texel[component] / 255;
+        at.color[component] = linear_of(at.raw[component]);
+        at.p[component] = noises[i].p[component] / 4;
     }
     if (row->tiles > 0) {
         at.u = (1 + texels[i].x / 64. + row->offset[0]) / row->tiles;
@@ -274,7 +274,7 @@ static void expect_numbers(const char *values, const Published *m)
     expect_slot(values, "roughness", &m->rough, 1);
     expect_slot(values, "normal", normal, 3);
     for (int i = 0; i < 2 && m->extra[i].slot; i++)
-        expect_slot(values, m->extra[i].slot, m->extra[i].value, m->extra[i].lanes);
+        expect_slot(values, m->extra[i].slot, m->extra[i].value, m->extra[i].components);
 }
 
 static void examples_are_what_they_publish(void **state)

@@ -34,9 +34,10 @@ static void assert_values(const MatcDocument *document, const char *name)
                  size * cos(.7 * i), 2 * z, r * cos(turn), r * sin(turn), z);
         const MatcNumbers value = matc_eval_slot(document, 0, point, &options);
         assert_null(value.fault);
-        for (int lane = 0; lane < value.lanes; lane++)
-            if (!(value.lane[lane] >= -1e-9 && value.lane[lane] <= 1.6))
-                fail_msg("%s at %s, lane %d: %g", name, point, lane, value.lane[lane]);
+        for (int component = 0; component < value.components; component++)
+            if (!(value.component[component] >= -1e-9 && value.component[component] <= 1.6))
+                fail_msg("%s at %s, lane %d: %g", name, point, component,
+                         value.component[component]);
     }
 }
 

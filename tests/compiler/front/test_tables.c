@@ -59,9 +59,9 @@ static void defaults_are_in_range(void **state)
 {
     (void)state;
     for (int i = 0; i < PARAM_COUNT; i++)
-        for (int lane = 0; lane < param_table[i].lanes; lane++)
-            assert_true(param_table[i].init[lane] >= param_table[i].low &&
-                        param_table[i].init[lane] <= param_table[i].high);
+        for (int component = 0; component < param_table[i].components; component++)
+            assert_true(param_table[i].init[component] >= param_table[i].low &&
+                        param_table[i].init[component] <= param_table[i].high);
 }
 
 /* Checks the rows of scene.def. */
@@ -78,8 +78,9 @@ static void scenes_are_sound(void **state)
             const ParamRow *param = &scene_param_table[next].param;
             assert_int_equal(scene_param_table[next].kind, kind);
             assert_true(is_sentence(param->doc));
-            for (int lane = 0; lane < param->lanes; lane++)
-                assert_true(param->init[lane] >= param->low && param->init[lane] <= param->high);
+            for (int component = 0; component < param->components; component++)
+                assert_true(param->init[component] >= param->low &&
+                            param->init[component] <= param->high);
         }
     }
     assert_int_equal(next, SCENE_PARAM_COUNT);

@@ -17,7 +17,7 @@ typedef struct {
     Kind material;
     How how;
     int param; /* of Principled, in param_table */
-    int lanes;
+    int components;
     double value[3];
     const char *text;
 } Row;
@@ -62,16 +62,16 @@ static void read_param(MatcDocument *document, int param, double value[3])
     oracle_surface_default(&surface);
     Oracle *oracle = oracle_open(document->graph, &context);
     Environment environment = environment_open(oracle, &surface, 0);
-    for (int lane = 0; lane < 3; lane++) {
-        const int channel = channel_id(is_direction(param) ? GROUP_N : GROUP_R, lane);
-        value[lane] = param_table[param].type == PARAM_Map
-                          ? oracle_ask_param(&environment, material, param, channel)
-                          : oracle_number(material, param);
+    for (int component = 0; component < 3; component++) {
+        const int channel = channel_id(is_direction(param) ? GROUP_N : GROUP_R, component);
+        value[component] = param_table[param].type == PARAM_Map
+                               ? oracle_ask_param(&environment, material, param, channel)
+                               : oracle_number(material, param);
     }
     oracle_close(oracle);
     const double size = sqrt(value[0] * value[0] + value[1] * value[1] + value[2] * value[2]);
-    for (int lane = 0; is_direction(param) && lane < 3; lane++)
-        value[lane] /= size;
+    for (int component = 0; is_direction(param) && component < 3; component++)
+        value[component] /= size;
 }
 
 static void check_value(const Row *row, const char *text)
@@ -83,10 +83,10 @@ static void check_value(const Row *row, const char *text)
     double value[3];
     read_param(document, row->param, value);
     matc_document_free(document);
-    for (int lane = 0; lane < row->lanes; lane++)
-        if (!(fabs(value[lane] - row->value[lane]) <= NEAR))
+    for (int component = 0; component < row->components; component++)
+        if (!(fabs(value[component] - row->value[component]) <= NEAR))
             fail_msg("%s%s is %.7g, not %.7g, in component %d", text, param_table[row->param].name,
-                     value[lane], row->value[lane], lane);
+                     value[component], row->value[component], component);
 }
 
 static void numbers_become_numbers(void **state)
@@ -145,9 +145,9 @@ static void uniforms_become_expressions(void **state)
 static bool is_default(const Row *row)
 {
     const ParamRow *param = &param_table[row->param];
-    bool same = row->lanes <= param->lanes;
-    for (int lane = 0; same && lane < row->lanes; lane++)
-        same = row->value[lane] == param->init[lane];
+    bool same = row->components <= param->components;
+    for (int component = 0; same && component < row->components; component++)
+        same = row->value[component] == param->init[component];
     return same;
 }
 

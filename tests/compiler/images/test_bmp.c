@@ -97,7 +97,7 @@ static void colors(void **state)
     check(&(Bmp){INFO, 2, 2, 16, 0, 0, NULL, NULL, halves, 8}, true, four);
 }
 
-/* Lanes in other orders, and of other sizes: a of n bits is a / (2^n - 1). */
+/* Components in other orders, and of other sizes: a of n bits is a / (2^n - 1). */
 static void masks(void **state)
 {
     (void)state;

@@ -4,7 +4,7 @@
 #include "tests/exr_file.h"
 
 /* Channels of every kind, and those that a picture has nothing to do with. */
-static void channels_are_lanes(void **state)
+static void channels_are_components(void **state)
 {
     (void)state;
     static const struct {
@@ -143,7 +143,7 @@ static void textures_hold_floats(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(channels_are_lanes),        cmocka_unit_test(windows_differ),
+        cmocka_unit_test(channels_are_components),   cmocka_unit_test(windows_differ),
         cmocka_unit_test(compressions_lose_nothing), cmocka_unit_test(values_are_linear),
         cmocka_unit_test(textures_hold_floats),
     };

@@ -131,8 +131,8 @@ static const uint8_t *texel_at(MatcDocument *document, int column, int row)
 static void is_texel(MatcDocument *document, int column, int row, const int rgb[3])
 {
     const uint8_t *texel = texel_at(document, column, row);
-    for (int lane = 0; lane < 3; lane++)
-        assert_int_equal(texel[lane], rgb[lane]);
+    for (int component = 0; component < 3; component++)
+        assert_int_equal(texel[component], rgb[component]);
     assert_int_equal(texel[3], 255);
 }
 

@@ -40,21 +40,22 @@ static void check_header(const char *file, bool floats, bool rgba, int width)
         assert_int_equal(word(file, i), wanted[i]);
 }
 
-static void check_texture(bool floats, int lanes, int width)
+static void check_texture(bool floats, int components, int width)
 {
     static unsigned char texels[WIDEST * HEIGHT * 4 * sizeof(float)];
     for (size_t i = 0; i < sizeof texels; i++)
         texels[i] = (unsigned char)(i * 37 + 5);
     const MatcTexture texture = {.width = width,
                                  .height = HEIGHT,
-                                 .lanes = lanes,
+                                 .components = components,
                                  .bytes = floats ? NULL : texels,
                                  .floats = floats ? (const float *)(const void *)texels : NULL};
-    size_t size, row = (size_t)width * (size_t)lanes * (floats ? sizeof(float) : 1), padded = row;
+    size_t size, row = (size_t)width * (size_t)components * (floats ? sizeof(float) : 1),
+                 padded = row;
     while (padded % 4)
         padded++;
     char *file = output_ktx(&texture, &size);
-    check_header(file, floats, lanes == 4, width);
+    check_header(file, floats, components == 4, width);
     assert_int_equal(word(file, HEADER_WORDS), padded * HEIGHT);
     assert_int_equal(size, TEXELS + padded * HEIGHT);
     for (size_t y = 0; y < HEIGHT; y++) {
@@ -69,9 +70,9 @@ static void files_are_as_specified(void **state)
 {
     (void)state;
     for (int width = 1; width <= WIDEST; width++)
-        for (int lanes = 1; lanes <= 4; lanes += 3) {
-            check_texture(false, lanes, width);
-            check_texture(true, lanes, width);
+        for (int components = 1; components <= 4; components += 3) {
+            check_texture(false, components, width);
+            check_texture(true, components, width);
         }
 }
 

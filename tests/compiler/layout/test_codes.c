@@ -127,7 +127,7 @@ static void halves_are_rounded_as_the_reference(void **state)
     }
     GLuint source = texture_make(
         f->canvas.gl,
-        &(TextureSpec){.width = SIDE, .height = SIDE, .lanes = 4, .floats = &numbers[0][0]});
+        &(TextureSpec){.width = SIDE, .height = SIDE, .components = 4, .floats = &numbers[0][0]});
     draw(f,
          &(Drawing){.functions = "halfBits",
                     .expression =
@@ -137,10 +137,11 @@ static void halves_are_rounded_as_the_reference(void **state)
     read_words(f);
     f->canvas.gl->DeleteTextures(1, &source);
     for (unsigned i = 0; i < TEXELS; i++)
-        for (int lane = 0; lane < 4; lane++) {
-            unsigned want = pack_half_bits(numbers[i][lane]), got = f->words[i][lane];
+        for (int component = 0; component < 4; component++) {
+            unsigned want = pack_half_bits(numbers[i][component]), got = f->words[i][component];
             if (got != want && (got | want) != 0x8000) /* either zero */
-                fail_msg("%.9g is stored as %04x, should be %04x", numbers[i][lane], got, want);
+                fail_msg("%.9g is stored as %04x, should be %04x", numbers[i][component], got,
+                         want);
         }
 }
 
@@ -168,10 +169,10 @@ static void every_shared_exponent_survives(void **state)
                  &f->canvas.floats);
             read_floats(f, &f->canvas.floats);
             for (unsigned i = 0; i < TEXELS; i++)
-                for (int lane = 0; lane < 3; lane++)
-                    if (f->floats[i][lane] != before[i][lane])
-                        fail_msg("%d bits: %.9g comes back as %.9g", bits, before[i][lane],
-                                 f->floats[i][lane]);
+                for (int component = 0; component < 3; component++)
+                    if (f->floats[i][component] != before[i][component])
+                        fail_msg("%d bits: %.9g comes back as %.9g", bits, before[i][component],
+                                 f->floats[i][component]);
         }
 }
 
@@ -351,8 +352,8 @@ static void axes_are_exact(void **state)
              &f->canvas.floats);
         read_floats(f, &f->canvas.floats);
         for (int i = 0; i < 6; i++)
-            for (int lane = 0; lane < 3; lane++)
-                assert_true(f->floats[i][lane] == (lane == i / 2 ? (i % 2 ? -1 : 1) : 0));
+            for (int component = 0; component < 3; component++)
+                assert_true(f->floats[i][component] == (component == i / 2 ? (i % 2 ? -1 : 1) : 0));
     }
 }
 

@@ -45,7 +45,7 @@ static void want_slots(const Point *point, bool front, const SlotValues *values,
            side = front ? 1 : -1;
     *want = *values;
     for (int i = 0; i < 3; i++)
-        want->lane[SLOT_normal][i] = length < 1e-37 ? (i == 2) * side : side * n[i] / length;
+        want->component[SLOT_normal][i] = length < 1e-37 ? (i == 2) * side : side * n[i] / length;
 }
 
 /* Below this an exponent's logarithm, or a half float, has no code near. */
@@ -70,16 +70,17 @@ static const char *place_text(const Gbuffer *g, Slot slot)
     return text;
 }
 
-static void check_lane(const Gbuffer *g, const Piece *piece, int i, const SlotValues *want,
-                       double got)
+static void check_component(const Gbuffer *g, const Piece *piece, int i, const SlotValues *want,
+                            double got)
 {
     const FieldRow *field = piece->field;
-    const SlotLane *source = &field->source[piece->first];
+    const SlotComponent *source = &field->source[piece->first];
     double low = field_low(field), high = field_high(field), greatest = 0;
-    double value = fmin(fmax(want->lane[source[i].slot][source[i].lane], low), high);
+    double value = fmin(fmax(want->component[source[i].slot][source[i].component], low), high);
     for (int k = 0; k < piece->count; k++)
         greatest =
-            fmax(greatest, fabs(fmin(fmax(want->lane[source[k].slot][source[k].lane], low), high)));
+            fmax(greatest,
+                 fabs(fmin(fmax(want->component[source[k].slot][source[k].component], low), high)));
     bool together = field->encoding == ENCODING_sharedExponent;
     bool relative = encoding_table[field->encoding].unit == UNIT_relative;
     double of = relative ? (together ? greatest : fabs(value)) : 1;
@@ -115,12 +116,13 @@ static void check_slot(Fixture *f, Gbuffer *g, Slot slot, const Placement *place
         want_slots(&f->points[i], drawn.front, drawn.values, &want);
         for (int k = 0; k < placement->count; k++) {
             const Piece *piece = &placement->pieces[k];
-            const SlotLane *source = &piece->field->source[piece->first];
+            const SlotComponent *source = &piece->field->source[piece->first];
             if (source[0].slot == SLOT_normal && slot == SLOT_normal)
-                check_normal(g, piece, want.lane[slot], &f->read[4 * i]);
-            for (int lane = 0; slot != SLOT_normal && lane < piece->count; lane++)
-                if (source[lane].slot == slot)
-                    check_lane(g, piece, lane, &want, f->read[4 * i + source[lane].lane]);
+                check_normal(g, piece, want.component[slot], &f->read[4 * i]);
+            for (int component = 0; slot != SLOT_normal && component < piece->count; component++)
+                if (source[component].slot == slot)
+                    check_component(g, piece, component, &want,
+                                    f->read[4 * i + source[component].component]);
         }
     }
 }
@@ -152,7 +154,7 @@ static int drawn_case(Gbuffer *g)
     const GLuint first = words[0][0];
     assert_true(framebuffer_read_words(g->drawer->gl, &g->targets, targets - 1, &words[0][0]));
     const int number = layout_case_of(
-        g->layout, first, words[0][format_table[g->layout->formats[targets - 1]].lanes - 1]);
+        g->layout, first, words[0][format_table[g->layout->formats[targets - 1]].components - 1]);
     assert_true(number < g->layout->case_count);
     return number;
 }
@@ -162,9 +164,9 @@ static void check_absent(Fixture *f, Gbuffer *g, Slot slot, const SlotValues *va
 {
     if (!gbuffer_read(g, slot, f->read))
         fail_msg("%s", g->error);
-    for (int lane = 0; lane < type_table[slot_table[slot].type].lanes; lane++) {
-        assert_true(values->lane[slot][lane] == slot_table[slot].absent);
-        assert_true(f->read[lane] == slot_table[slot].absent);
+    for (int component = 0; component < type_table[slot_table[slot].type].components; component++) {
+        assert_true(values->component[slot][component] == slot_table[slot].absent);
+        assert_true(f->read[component] == slot_table[slot].absent);
     }
 }
 

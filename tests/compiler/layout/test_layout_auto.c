@@ -61,8 +61,8 @@ static void ratios_of_the_draw_are_no_constants(void **state)
     set_close(&set);
 }
 
-/* Lanes that are alike are stored once, what never changes not at all, light up to 1 as colours
- * are. */
+/* Components that are alike are stored once, what never changes not at all, light up to 1 as
+ * colours are. */
 static void ranges_make_fields(void **state)
 {
     (void)state;
@@ -90,7 +90,7 @@ static void ranges_make_fields(void **state)
 
 /* A range that exceeds 1 keeps its upper end; a color whose red is constant is stored for its
  * green. */
-static void ends_and_lanes_are_kept(void **state)
+static void ends_and_components_are_kept(void **state)
 {
     (void)state;
     static const char *const bright[] = {"tests/layouts/bright.yaml"};
@@ -145,8 +145,9 @@ static void smaller_errors_take_more_bits(void **state)
     }
 }
 
-/* A normal of three equal lanes is not one gray number: no encoding of directions takes that. */
-static void a_direction_is_one_whatever_its_lanes(void **state)
+/* A normal of three equal components is not one gray number: no encoding of directions takes that.
+ */
+static void a_direction_is_one_whatever_its_components(void **state)
 {
     (void)state;
     static const char *const alike[] = {"examples/conversions/floatToNormal.yaml"};
@@ -314,9 +315,9 @@ int main(void)
         cmocka_unit_test(diffuse_colors_take_eight_bytes),
         cmocka_unit_test(ratios_of_the_draw_are_no_constants),
         cmocka_unit_test(ranges_make_fields),
-        cmocka_unit_test(ends_and_lanes_are_kept),
+        cmocka_unit_test(ends_and_components_are_kept),
         cmocka_unit_test(smaller_errors_take_more_bits),
-        cmocka_unit_test(a_direction_is_one_whatever_its_lanes),
+        cmocka_unit_test(a_direction_is_one_whatever_its_components),
         cmocka_unit_test(joining_has_no_order),
         cmocka_unit_test(mixed_sets_have_cases),
         cmocka_unit_test(none_is_without_a_case),

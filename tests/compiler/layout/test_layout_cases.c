@@ -33,10 +33,11 @@ static MatcRanges ranges_of(unsigned slots)
     matc_ranges_init(&ranges);
     ranges.materials = 1;
     for (int slot = 0; slot < SLOT_COUNT; slot++)
-        for (int lane = 0; lane < type_table[slot_table[slot].type].lanes; lane++) {
+        for (int component = 0; component < type_table[slot_table[slot].type].components;
+             component++) {
             ranges.slot[slot].counted = slot_class_table[slot].kind != CLASS_none;
-            ranges.slot[slot].low[lane] = slot_table[slot].low;
-            ranges.slot[slot].high[lane] = slot_table[slot].high;
+            ranges.slot[slot].low[component] = slot_table[slot].low;
+            ranges.slot[slot].high[component] = slot_table[slot].high;
         }
     auto_sets_add(&ranges, (MatcSlotSet){slots, 1});
     return ranges;

@@ -85,8 +85,8 @@ static void what_is_packed_comes_back(void **state)
 
 typedef struct {
     long bounded, constant; /* slots of trees */
-    /* lanes: sums, products and powers of maps may leave what a number holds, and are no number
-     * then */
+    /* components: sums, products and powers of maps may leave what a number holds, and are no
+     * number then */
     long compared, overflown;
 } Claims;
 
@@ -97,20 +97,23 @@ static void compare_claim(const MatcRanges *ranges, const SlotValues *values, ui
     for (int slot = 0; slot < SLOT_COUNT; slot++) {
         const SlotRow *row = &slot_table[slot];
         const MatcSlotRange *range = &ranges->slot[slot];
-        for (int lane = 0; lane < type_table[row->type].lanes && range->counted; lane++) {
-            const bool is_number = !isnan(values->lane[slot][lane]);
+        for (int component = 0; component < type_table[row->type].components && range->counted;
+             component++) {
+            const bool is_number = !isnan(values->component[slot][component]);
             claims->compared++;
             claims->overflown += !is_number;
             if (!is_number)
                 continue;
-            double value = fmin(fmax(values->lane[slot][lane], row->low), row->high);
+            double value = fmin(fmax(values->component[slot][component], row->low), row->high);
             double slack = 1e-5 * fmax(1, fabs(value));
-            if (!(value >= range->low[lane] - slack && value <= range->high[lane] + slack))
+            if (!(value >= range->low[component] - slack &&
+                  value <= range->high[component] + slack))
                 fail_msg("tree %d: %s lane %d is %.9g, claimed %.9g to %.9g", (int)tree, row->name,
-                         lane, value, range->low[lane], range->high[lane]);
-            if (range->alike && !(fabs(values->lane[slot][lane] - values->lane[slot][0]) <= slack))
+                         component, value, range->low[component], range->high[component]);
+            if (range->alike &&
+                !(fabs(values->component[slot][component] - values->component[slot][0]) <= slack))
                 fail_msg("tree %d: %s lanes %.9g, %.9g are not alike", (int)tree, row->name,
-                         values->lane[slot][0], values->lane[slot][lane]);
+                         values->component[slot][0], values->component[slot][component]);
         }
     }
 }

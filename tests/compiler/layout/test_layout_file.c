@@ -17,7 +17,7 @@ static void fields_are_equal(const FieldRow *a, const FieldRow *b)
     assert_true(a->low == b->low && a->high == b->high);
     for (int i = 0; i < a->count; i++)
         assert_true(a->source[i].slot == b->source[i].slot &&
-                    a->source[i].lane == b->source[i].lane);
+                    a->source[i].component == b->source[i].component);
 }
 
 static void constants_are_equal(const FixedRow *a, const FixedRow *b, int count)
@@ -25,7 +25,8 @@ static void constants_are_equal(const FixedRow *a, const FixedRow *b, int count)
     for (int i = 0; i < count; i++) {
         assert_int_equal(a[i].slot, b[i].slot);
         assert_memory_equal(a[i].value, b[i].value,
-                            (size_t)type_table[slot_table[a[i].slot].type].lanes * sizeof(double));
+                            (size_t)type_table[slot_table[a[i].slot].type].components *
+                                sizeof(double));
     }
 }
 
@@ -82,8 +83,8 @@ static void what_is_written_reads_back(void **state)
         reads_back(&layout_table[i]);
 }
 
-/* Constants, ranges and grey lanes, which no built-in layout has; numbers that need all of their
- * digits. */
+/* Constants, ranges and grey components, which no built-in layout has; numbers that need all of
+ * their digits. */
 static void all_of_a_file_reads_back(void **state)
 {
     (void)state;
@@ -97,7 +98,7 @@ static void all_of_a_file_reads_back(void **state)
         "  - { slot: [emissive.b, shininess, emissive.rg], encoding: raw }\n"
         "constants: { transparency: [0.5, 0.25, 1e-7], ior: 1.5 }\n");
     const LayoutRow *row = layout->row;
-    assert_int_equal(row->cases[0].fields[2].source[0].lane, 2);
+    assert_int_equal(row->cases[0].fields[2].source[0].component, 2);
     assert_int_equal(row->cases[0].fields[3].count, 1);
     assert_true(row->cases[0].fields[1].high == 0.30000000000000004);
     assert_true(row->fixed[0].value[2] == 1e-7 && row->fixed[1].value[0] == 1.5);

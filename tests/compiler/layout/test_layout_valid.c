@@ -8,7 +8,7 @@
 /* Nothing overlaps, and all lies within its target. */
 static void check_places(const LayoutRow *layout, int number)
 {
-    static unsigned char taken[LAYOUT_TARGETS][FIELD_LANES][32];
+    static unsigned char taken[LAYOUT_TARGETS][FIELD_COMPONENTS][32];
     Placement placement;
     memset(taken, 0, sizeof taken);
     const bool further = number >= layout->case_count - layout->further_count;
@@ -25,17 +25,19 @@ static void check_places(const LayoutRow *layout, int number)
         bits++;
     memset(taken[0][0], 1, (size_t)(layout_case_bits(layout) + bits));
     if (further || (layout->further_count && !number))
-        taken[last][end->lanes - 1][end->bits - 1] = 1;
+        taken[last][end->components - 1][end->bits - 1] = 1;
     assert_null(layout_allocate(layout, number, &placement));
     for (int k = 0; k < placement.count; k++) {
         const Piece *piece = &placement.pieces[k];
         const FormatRow *format = &format_table[layout->formats[piece->target]];
-        int lanes = format->words ? 1 : piece->size,
+        int components = format->words ? 1 : piece->size,
             bits = format->words ? piece->size : format->bits;
-        assert_true(piece->lane + lanes <= format->lanes && piece->shift + bits <= format->bits);
-        for (int lane = 0; lane < lanes; lane++)
+        assert_true(piece->component + components <= format->components &&
+                    piece->shift + bits <= format->bits);
+        for (int component = 0; component < components; component++)
             for (int bit = 0; bit < bits; bit++)
-                assert_int_equal(taken[piece->target][piece->lane + lane][piece->shift + bit]++, 0);
+                assert_int_equal(
+                    taken[piece->target][piece->component + component][piece->shift + bit]++, 0);
     }
 }
 

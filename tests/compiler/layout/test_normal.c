@@ -75,8 +75,8 @@ static void axes_and_nothing(void **state)
             n[i / 2] = i % 2 ? -1 : 1;
             normal_octahedral_encode(n, octahedral_levels(bits), code);
             normal_octahedral_decode(code, octahedral_levels(bits), back);
-            for (int lane = 0; lane < 3; lane++)
-                assert_true(back[lane] == n[lane]);
+            for (int component = 0; component < 3; component++)
+                assert_true(back[component] == n[component]);
         }
     double back[3];
     int code[2];

@@ -47,7 +47,7 @@ static void round_trip(Fixture *f, const char *pack, const char *packing, const 
                        const char *unpacking)
 {
     const TextureSpec numbers = {
-        .width = SIDE, .height = SIDE, .lanes = 4, .floats = &f->numbers[0][0]};
+        .width = SIDE, .height = SIDE, .components = 4, .floats = &f->numbers[0][0]};
     f->canvas.gl->DeleteTextures(1, &f->source); /* GL ignores the name 0 */
     f->source = texture_make(f->canvas.gl, &numbers);
     assert_true(f->source);
@@ -57,12 +57,12 @@ static void round_trip(Fixture *f, const char *pack, const char *packing, const 
          &f->canvas.floats, f->unpacked);
 }
 
-static void all_plain(const Fixture *f, int lanes)
+static void all_plain(const Fixture *f, int components)
 {
     for (int i = 0; i < TEXELS; i++)
-        for (int lane = 0; lane < lanes; lane++)
-            if (!half_is_plain(f->packed[i][lane]))
-                fail_msg("texel %d, lane %d is %g", i, lane, f->packed[i][lane]);
+        for (int component = 0; component < components; component++)
+            if (!half_is_plain(f->packed[i][component]))
+                fail_msg("texel %d, lane %d is %g", i, component, f->packed[i][component]);
 }
 
 static void round_trip_pairs(Fixture *f)
@@ -72,24 +72,26 @@ static void round_trip_pairs(Fixture *f)
     all_plain(f, 2);
 }
 
-/* Code (k, m) is that of every x in [k, k + 1) / 127.5: its middle in lanes x, y; 1 where that is
- * beyond. */
+/* Code (k, m) is that of every x in [k, k + 1) / 127.5: its middle in components x, y; 1 where that
+ * is beyond. */
 static void every_code_survives(void **state)
 {
     Fixture *f = *state;
     for (int i = 0; i < TEXELS; i++)
-        for (int lane = 0; lane < 4; lane++) {
-            int code = lane % 2 ? i / LEVELS : i % LEVELS;
-            f->numbers[i][lane] = (float)fmin(1, (code + (lane < 2 ? 0.5 : 0.01)) / 127.5);
+        for (int component = 0; component < 4; component++) {
+            int code = component % 2 ? i / LEVELS : i % LEVELS;
+            f->numbers[i][component] =
+                (float)fmin(1, (code + (component < 2 ? 0.5 : 0.01)) / 127.5);
         }
     round_trip_pairs(f);
     for (int i = 0; i < TEXELS; i++) {
         int x = i % LEVELS, y = i / LEVELS;
         double want = (1 + x % 8 / 8. + y / 1024.) * ldexp(1, x / 8); /* the layout of the thesis */
         assert_true(f->packed[i][0] == want && f->packed[i][1] == want);
-        for (int lane = 0; lane < 4; lane++)
-            if (fabs(f->unpacked[i][lane] - (lane % 2 ? y : x) / 127.5) > 1.2e-7)
-                fail_msg("%.9g comes back as %.9g", f->numbers[i][lane], f->unpacked[i][lane]);
+        for (int component = 0; component < 4; component++)
+            if (fabs(f->unpacked[i][component] - (component % 2 ? y : x) / 127.5) > 1.2e-7)
+                fail_msg("%.9g comes back as %.9g", f->numbers[i][component],
+                         f->unpacked[i][component]);
     }
 }
 
@@ -121,18 +123,20 @@ static void anything_can_be_packed(void **state)
     enum { HARD = sizeof hard / sizeof *hard };
     Fixture *f = *state;
     for (int i = 0; i < TEXELS; i++)
-        for (int lane = 0; lane < 4; lane++) {
-            int n = i / (lane % 2 ? 1 : HARD) % HARD;
-            f->numbers[i][lane] =
-                lane < 2 ? hard[n] : (float)fmod(i * (lane == 2 ? 0.6180339887 : 0.4142135624), 1);
+        for (int component = 0; component < 4; component++) {
+            int n = i / (component % 2 ? 1 : HARD) % HARD;
+            f->numbers[i][component] =
+                component < 2 ? hard[n]
+                              : (float)fmod(i * (component == 2 ? 0.6180339887 : 0.4142135624), 1);
         }
     round_trip_pairs(f);
     for (int i = 0; i < TEXELS; i++)
-        for (int lane = 0; lane < 4; lane++) {
-            double number = fmin(fmax(f->numbers[i][lane], 0), 1),
-                   error = number - f->unpacked[i][lane];
+        for (int component = 0; component < 4; component++) {
+            double number = fmin(fmax(f->numbers[i][component], 0), 1),
+                   error = number - f->unpacked[i][component];
             if (error < -6e-8 || error > 1 / 127.5 + 6e-8)
-                fail_msg("%.9g comes back as %.9g", f->numbers[i][lane], f->unpacked[i][lane]);
+                fail_msg("%.9g comes back as %.9g", f->numbers[i][component],
+                         f->unpacked[i][component]);
         }
 }
 
@@ -195,9 +199,9 @@ static void normals_come_back(void **state)
                 add_angle(&seen, angle_between(f->numbers[i], n));
         }
         for (int i = 0; i < TEXELS; i++)
-            for (int lane = 0; lane < 2; lane++)
-                assert_true(isfinite(f->packed[i][lane]) && f->packed[i][lane] >= 0 &&
-                            f->packed[i][lane] <= 1);
+            for (int component = 0; component < 2; component++)
+                assert_true(isfinite(f->packed[i][component]) && f->packed[i][component] >= 0 &&
+                            f->packed[i][component] <= 1);
     }
     print_message("degrees: sphere mean %.4f worst %.2f, hemisphere mean %.4f worst %.4f\n",
                   sphere.sum / (double)sphere.count, sphere.worst, seen.sum / (double)seen.count,

@@ -12,13 +12,14 @@
 enum { SIDE = 32, ROOM = 1 << 14 }; /* a column a slot, a row a case */
 
 /* first[] and last[]: a word of each case. */
-static size_t put_words(char *text, const LayoutRow *row, const char *name, int target, int lane)
+static size_t put_words(char *text, const LayoutRow *row, const char *name, int target,
+                        int component)
 {
     size_t size =
         (size_t)snprintf(text, ROOM, "const uint %s[%d] = uint[](", name, row->case_count);
     for (int i = 0; i < row->case_count; i++)
         size += (size_t)snprintf(text + size, ROOM - size, "%s%.0fu", i ? ", " : "",
-                                 layout_case_code(row, i, target, lane));
+                                 layout_case_code(row, i, target, component));
     return size + (size_t)snprintf(text + size, ROOM - size, ");\n");
 }
 
@@ -41,7 +42,7 @@ static void put_body(char text[ROOM], const LayoutRow *row)
         if (layout_has_slot(row, (Slot)slot))
             size += (size_t)snprintf(
                 text + size, ROOM - size, "    if (p.x == %d) return vec4(s.%s%s);\n", slot,
-                slot_table[slot].name, fill[type_table[slot_table[slot].type].lanes]);
+                slot_table[slot].name, fill[type_table[slot_table[slot].type].components]);
     size += (size_t)snprintf(text + size, ROOM - size, "    return vec4(0.0);\n}\n");
     assert_true(size < ROOM);
 }
@@ -53,9 +54,10 @@ static void check_case(const LayoutRow *row, int number, float (*reported)[4])
         if (!layout_has_slot(row, (Slot)slot) || layout_case_has_slot(fields, (Slot)slot))
             continue;
         const FixedRow *own = layout_case_fixed(fields, (Slot)slot);
-        for (int lane = 0; lane < type_table[slot_table[slot].type].lanes; lane++) {
-            const double want = own ? own->value[lane] : slot_table[slot].absent,
-                         is = reported[number * SIDE + slot][lane];
+        for (int component = 0; component < type_table[slot_table[slot].type].components;
+             component++) {
+            const double want = own ? own->value[component] : slot_table[slot].absent,
+                         is = reported[number * SIDE + slot][component];
             if (is != (float)want)
                 fail_msg("%s, case %d: %s is %g, not %g", row->name, number, slot_table[slot].name,
                          is, want);
@@ -96,7 +98,7 @@ static void cases_have_what_they_leave_out(void **state)
 
 enum { TRIES = 6, CODE_BITS = 14 /* of the first word, that may tell cases apart */, ABSENT = -7 };
 
-/* words_<target>_<lane>[]: of each case any bits, but for those of its number. */
+/* words_<target>_<component>[]: of each case any bits, but for those of its number. */
 static size_t put_random_words(char *text, const LayoutRow *row, Choices *choices)
 {
     const int last = layout_targets(row) - 1;
@@ -138,7 +140,7 @@ static void put_random_body(char text[ROOM], const LayoutRow *row)
             text + size, ROOM - size,
             "#ifdef SURFACE_HAS_%s\n    if (p.x == %d) return vec4(s.%s%s);\n#endif\n",
             slot_table[slot].name, slot, slot_table[slot].name,
-            fill[type_table[slot_table[slot].type].lanes]);
+            fill[type_table[slot_table[slot].type].components]);
     size += (size_t)snprintf(text + size, ROOM - size, "    return vec4(%d.0);\n}\n", ABSENT);
     assert_true(size < ROOM);
 }
@@ -166,9 +168,10 @@ static void read_cases(GlContext *gl, const LayoutRow *row, unsigned cases, floa
 /* A slot that the case alone lacks is there because of others, and is as absent ones are. */
 static bool agrees(int slot, const float together[4], const float alone[4])
 {
-    for (int lane = 0; lane < type_table[slot_table[slot].type].lanes; lane++) {
-        const float want = alone[0] == (float)ABSENT ? (float)slot_table[slot].absent : alone[lane];
-        if (!(together[lane] == want))
+    for (int component = 0; component < type_table[slot_table[slot].type].components; component++) {
+        const float want =
+            alone[0] == (float)ABSENT ? (float)slot_table[slot].absent : alone[component];
+        if (!(together[component] == want))
             return false;
     }
     return true;

@@ -1,6 +1,6 @@
-/* --coordinates=long: what constants made of a coordinate, by sums, products, matrices, lanes and
- * signs in any order, comes out whole and fraction far from the origin. The truth is a matrix and
- * an offset in long double that the test carries along. */
+/* --coordinates=long: what constants made of a coordinate, by sums, products, matrices, components
+ * and signs in any order, comes out whole and fraction far from the origin. The truth is a matrix
+ * and an offset in long double that the test carries along. */
 /* ctest: quick */
 #include "tests/test.h"
 #include "compiler/ir/fold.h"
@@ -13,11 +13,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { LANES = 3, TRIALS = 3000, MOST_STEPS = 12, LONG_CHAIN = 400, POINTS = 4 };
+enum { COMPONENTS = 3, TRIALS = 3000, MOST_STEPS = 12, LONG_CHAIN = 400, POINTS = 4 };
 
-/* row . root + offset for each lane. */
+/* row . root + offset for each component. */
 typedef struct {
-    long double row[LANES][LANES], offset[LANES];
+    long double row[COMPONENTS][COMPONENTS], offset[COMPONENTS];
 } Exact;
 
 typedef struct {
@@ -58,7 +58,7 @@ static void open_trial(Trial *t, uint64_t seed, bool simplify)
                    .job = &t->job};
     t->l.ir->simplify = simplify ? opt_simplify : NULL;
     t->value = build_input(t->l.ir, INPUT_X);
-    for (int i = 0; i < LANES; i++)
+    for (int i = 0; i < COMPONENTS; i++)
         t->exact.row[i][i] = 1;
 }
 
@@ -70,47 +70,47 @@ static void close_trial(Trial *t)
 
 static void step_sum(Trial *t)
 {
-    double shift[LANES] = {factor(t), factor(t), factor(t)};
+    double shift[COMPONENTS] = {factor(t), factor(t), factor(t)};
     Ref constant = ir_const(t->l.ir, TYPE_vec3, shift);
     int form = choose(t, 4); /* x + k, k + x, x - k, k - x */
     Ref a = form % 2 ? constant : t->value, b = form % 2 ? t->value : constant;
     t->value = build_binary(t->l.ir, form < 2 ? OP_add : OP_sub, a, b);
-    for (int i = 0; i < LANES; i++) {
-        for (int k = 0; form == 3 && k < LANES; k++)
+    for (int i = 0; i < COMPONENTS; i++) {
+        for (int k = 0; form == 3 && k < COMPONENTS; k++)
             t->exact.row[i][k] *= -1;
         t->exact.offset[i] = (form == 3 ? -1 : 1) * t->exact.offset[i] +
                              (form == 2 ? -1 : 1) * (long double)shift[i];
     }
 }
 
-static void scale_lane(Trial *t, int lane, double by)
+static void scale_component(Trial *t, int component, double by)
 {
-    t->exact.offset[lane] *= by;
-    for (int k = 0; k < LANES; k++)
-        t->exact.row[lane][k] *= by;
+    t->exact.offset[component] *= by;
+    for (int k = 0; k < COMPONENTS; k++)
+        t->exact.row[component][k] *= by;
 }
 
 static void step_product(Trial *t)
 {
-    double by[LANES] = {factor(t), factor(t), factor(t)};
+    double by[COMPONENTS] = {factor(t), factor(t), factor(t)};
     bool one = choose(t, 2), first = choose(t, 2);
     Ref constant = one ? build_float(t->l.ir, by[0]) : ir_const(t->l.ir, TYPE_vec3, by);
     t->value =
         build_mul_of(t->l.ir, first ? (Ref[]){constant, t->value} : (Ref[]){t->value, constant});
-    for (int i = 0; i < LANES; i++)
-        scale_lane(t, i, by[one ? 0 : i]);
+    for (int i = 0; i < COMPONENTS; i++)
+        scale_component(t, i, by[one ? 0 : i]);
 }
 
 static void step_sign(Trial *t)
 {
     t->value = build_neg(t->l.ir, t->value);
-    for (int i = 0; i < LANES; i++)
-        scale_lane(t, i, -1);
+    for (int i = 0; i < COMPONENTS; i++)
+        scale_component(t, i, -1);
 }
 
 static void step_matrix(Trial *t)
 {
-    double column[LANES][LANES]; /* a rotation, a little off */
+    double column[COMPONENTS][COMPONENTS]; /* a rotation, a little off */
     double angle = 6.28 * next(t), stretch = 0.9 + 0.2 * next(t);
     int axis = choose(t, 3);
     memset(column, 0, sizeof column);
@@ -124,22 +124,23 @@ static void step_matrix(Trial *t)
                   ir_const(t->l.ir, TYPE_vec3, column[1]), ir_const(t->l.ir, TYPE_vec3, column[2])};
     t->value = build_linear(t->l.ir, args, 4);
     Exact before = t->exact;
-    for (int row = 0; row < LANES; row++) {
+    for (int row = 0; row < COMPONENTS; row++) {
         t->exact.offset[row] = 0;
-        for (int c = 0; c < LANES; c++) {
+        for (int c = 0; c < COMPONENTS; c++) {
             t->exact.offset[row] += column[c][row] * before.offset[c];
             t->exact.row[row][c] = 0;
-            for (int j = 0; j < LANES; j++)
+            for (int j = 0; j < COMPONENTS; j++)
                 t->exact.row[row][c] += column[j][row] * before.row[j][c];
         }
     }
 }
 
-/* Lanes in another order, one of them now and then taken twice, from a vector or one by one. */
-static void step_lanes(Trial *t)
+/* Components in another order, one of them now and then taken twice, from a vector or one by one.
+ */
+static void step_components(Trial *t)
 {
     static const char letters[] = "xyz";
-    int from[LANES] = {choose(t, 3), 0, 0};
+    int from[COMPONENTS] = {choose(t, 3), 0, 0};
     from[1] = (from[0] + 1 + choose(t, 2)) % 3;
     from[2] = choose(t, 4) ? 3 - from[0] - from[1] : from[0];
     char all[] = {letters[from[0]], letters[from[1]], letters[from[2]], 0};
@@ -151,7 +152,7 @@ static void step_lanes(Trial *t)
         t->value = build_vec(t->l.ir, TYPE_vec3, pair, last);
     }
     Exact before = t->exact;
-    for (int i = 0; i < LANES; i++) {
+    for (int i = 0; i < COMPONENTS; i++) {
         t->exact.offset[i] = before.offset[from[i]];
         memcpy(t->exact.row[i], before.row[from[i]], sizeof before.row[0]);
     }
@@ -160,7 +161,7 @@ static void step_lanes(Trial *t)
 static void step(Trial *t)
 {
     static void (*const steps[])(Trial * t) = {step_sum, step_product, step_sign, step_matrix,
-                                               step_lanes};
+                                               step_components};
     steps[choose(t, sizeof steps / sizeof *steps)](t);
 }
 
@@ -173,9 +174,9 @@ static bool is_power(long double x)
 /* A float of the root comes through as it is: nothing to gain. */
 static bool nothing_rounds(const Exact *exact)
 {
-    for (int i = 0; i < LANES; i++) {
+    for (int i = 0; i < COMPONENTS; i++) {
         int terms = 0;
-        for (int k = 0; k < LANES; k++) {
+        for (int k = 0; k < COMPONENTS; k++) {
             terms += exact->row[i][k] != 0;
             if (exact->row[i][k] != 0 && !is_power(exact->row[i][k]))
                 return false;
@@ -191,23 +192,24 @@ static bool nothing_rounds(const Exact *exact)
 static void check_bits(const Ir *ir, Ref call)
 {
     for (int i = 1; i < ir_at(ir, call)->count; i++)
-        for (int lane = 0; i % 3 != 0 && lane < LANES; lane++) {
+        for (int component = 0; i % 3 != 0 && component < COMPONENTS; component++) {
             int exponent;
-            double bits = ldexp(frexp(ir_numbers(ir, ir_arg(ir, call, i))[lane], &exponent), 12);
+            double bits =
+                ldexp(frexp(ir_numbers(ir, ir_arg(ir, call, i))[component], &exponent), 12);
             assert_true(bits == trunc(bits));
         }
 }
 
-static void check_point(Trial *t, double scale, const double point[LANES])
+static void check_point(Trial *t, double scale, const double point[COMPONENTS])
 {
     double inputs[INPUT_COUNT][4] = {{0}}, result[MOST_OUTPUTS][4];
-    for (int i = 0; i < LANES; i++)
+    for (int i = 0; i < COMPONENTS; i++)
         inputs[INPUT_X][i] = point[i];
     ir_eval(t->l.ir, &(ReferenceContext){.noise = REFERENCE_LATTICE}, (const double(*)[4])inputs,
             result);
-    for (int i = 0; i < LANES; i++) {
+    for (int i = 0; i < COMPONENTS; i++) {
         long double want = t->exact.offset[i], size = fabsl(want);
-        for (int k = 0; k < LANES; k++) {
+        for (int k = 0; k < COMPONENTS; k++) {
             want += t->exact.row[i][k] * point[k];
             size += fabsl(t->exact.row[i][k] * point[k]);
         }
@@ -257,7 +259,7 @@ static void long_chains_are_followed(void **state)
         Trial t;
         open_trial(&t, (uint64_t)(1000000 + i), false);
         for (int steps = 0; steps < LONG_CHAIN; steps++)
-            step_sum(&t), step_sign(&t), step_lanes(&t);
+            step_sum(&t), step_sign(&t), step_components(&t);
         step_matrix(&t);
         check(&t, 1);
         close_trial(&t);
@@ -265,11 +267,11 @@ static void long_chains_are_followed(void **state)
 }
 
 typedef struct {
-    double factor[LANES], offset[LANES];
+    double factor[COMPONENTS], offset[COMPONENTS];
     bool gains;
 } Border;
 
-/* By lane, x factor + offset: a power of two alone is exact, with an offset it is not. */
+/* By component, x factor + offset: a power of two alone is exact, with an offset it is not. */
 static void what_is_exact_is_left(void **state)
 {
     (void)state;
@@ -286,9 +288,9 @@ static void what_is_exact_is_left(void **state)
         Ref by = ir_const(t.l.ir, TYPE_vec3, borders[i].factor),
             shift = ir_const(t.l.ir, TYPE_vec3, borders[i].offset);
         t.value = build_add(t.l.ir, build_mul(t.l.ir, t.value, by), shift);
-        for (int lane = 0; lane < LANES; lane++) {
-            scale_lane(&t, lane, borders[i].factor[lane]);
-            t.exact.offset[lane] += borders[i].offset[lane];
+        for (int component = 0; component < COMPONENTS; component++) {
+            scale_component(&t, component, borders[i].factor[component]);
+            t.exact.offset[component] += borders[i].offset[component];
         }
         assert_int_equal(nothing_rounds(&t.exact), !borders[i].gains);
         check(&t, 1);
@@ -296,21 +298,21 @@ static void what_is_exact_is_left(void **state)
     }
 }
 
-/* Two lanes with a factor of 1 each: their sum rounds. */
-static void sums_of_lanes_round(void **state)
+/* Two components with a factor of 1 each: their sum rounds. */
+static void sums_of_components_round(void **state)
 {
     (void)state;
     Trial t;
     open_trial(&t, 0, false);
     Ref turned = build_swizzle(t.l.ir, t.value, "yzx");
     t.value = build_add(t.l.ir, t.value, turned);
-    for (int i = 0; i < LANES; i++)
-        t.exact.row[i][(i + 1) % LANES] += 1;
+    for (int i = 0; i < COMPONENTS; i++)
+        t.exact.row[i][(i + 1) % COMPONENTS] += 1;
     check(&t, 1);
     close_trial(&t);
 }
 
-/* Values of two inputs have no one start; nor has the fourth lane of a vector one that is
+/* Values of two inputs have no one start; nor has the fourth component of a vector one that is
  * followed. */
 static void other_starts_are_left(void **state)
 {
@@ -343,7 +345,7 @@ static void overflow_is_not_followed(void **state)
     assert_true(affine_coordinate(&t.l, t.value, 2, &parts));
     assert_null(ir_check(t.l.ir));
     for (Ref ref = 1; ref < t.l.ir->count; ref++)
-        for (int i = 0; ir_is(t.l.ir, ref, OP_const) && i < ir_lanes(t.l.ir, ref); i++)
+        for (int i = 0; ir_is(t.l.ir, ref, OP_const) && i < ir_components(t.l.ir, ref); i++)
             assert_true(fabs(ir_numbers(t.l.ir, ref)[i]) <= 3.5e38);
     close_trial(&t);
 }
@@ -352,7 +354,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(whole_and_fraction_are_exact), cmocka_unit_test(long_chains_are_followed),
-        cmocka_unit_test(what_is_exact_is_left),        cmocka_unit_test(sums_of_lanes_round),
+        cmocka_unit_test(what_is_exact_is_left),        cmocka_unit_test(sums_of_components_round),
         cmocka_unit_test(other_starts_are_left),        cmocka_unit_test(overflow_is_not_followed),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

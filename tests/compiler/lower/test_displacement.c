@@ -18,10 +18,10 @@ static const float far = 100;
 static const float tip = 1e-6f;
 static const double value_bound = 1e-12, slope_bound = 1e-6;
 
-/* In [-2, 2): five lanes that fill a box evenly, by powers of the root of x^6 = x + 1. */
-static double spread(int index, int lane)
+/* In [-2, 2): five components that fill a box evenly, by powers of the root of x^6 = x + 1. */
+static double spread(int index, int component)
 {
-    return 4 * fmod((index + 1) * pow(1.1347241384015194, -(lane + 1)), 1) - 2;
+    return 4 * fmod((index + 1) * pow(1.1347241384015194, -(component + 1)), 1) - 2;
 }
 
 /* A material and what matc says about it. */
@@ -199,9 +199,10 @@ static void no_point_moves_beyond_its_bound(void **state)
             Surface surface;
             OracleDisplacement move;
             oracle_surface_default(&surface);
-            for (int lane = 0; lane < 3; lane++) {
-                surface.root[channel_id(GROUP_X, lane)] = 3 * spread(k, lane);
-                surface.root[channel_id(GROUP_U, lane)] = lane < 2 ? 2 * spread(k, 3 + lane) : 0;
+            for (int component = 0; component < 3; component++) {
+                surface.root[channel_id(GROUP_X, component)] = 3 * spread(k, component);
+                surface.root[channel_id(GROUP_U, component)] =
+                    component < 2 ? 2 * spread(k, 3 + component) : 0;
             }
             assert_true(oracle_displacement(oracle, d.graph->materials[0].node, &surface, &move));
             most = fmax(most, size_of(move.by));
@@ -266,15 +267,15 @@ static double off_normals(Oracle *oracle, const Node *material, CurvedBody body,
         double want[3];
         curved_surface(body, fmod(i * 0.61803398874989485, 1), (i + 0.5) / COUNT, &surface);
         if (by == HEIGHTS_STAYING)
-            for (int lane = 0; lane < 3; lane++)
-                surface.normal_u[lane] = surface.normal_v[lane] = 0;
+            for (int component = 0; component < 3; component++)
+                surface.normal_u[component] = surface.normal_v[component] = 0;
         if (by == VECTORS)
             curved_vector_normal(body, scale, &surface.root[channel_id(GROUP_P, 0)], want);
         else
             curved_normal(body, scale, &surface.root[channel_id(GROUP_P, 0)], by == HEIGHTS_STAYING,
                           want);
         assert_true(oracle_material(oracle, material, &surface, &values));
-        most = fmax(most, curved_angle(values.lane[SLOT_normal], want));
+        most = fmax(most, curved_angle(values.component[SLOT_normal], want));
     }
     return most;
 }
@@ -316,10 +317,10 @@ static void normals_are_those_of_curved_surfaces(void **state)
         curved_surface(CURVED_ball, i / 20., 0.1 + i / 30., &surface);
         const double *n = &surface.root[channel_id(GROUP_N, 0)],
                      *tu = &surface.root[channel_id(GROUP_DU, 0)];
-        for (int lane = 0; lane < 3; lane++)
-            want[lane] = n[lane] + 0.5 * tu[lane] / size_of(tu);
+        for (int component = 0; component < 3; component++)
+            want[component] = n[component] + 0.5 * tu[component] / size_of(tu);
         assert_true(oracle_material(oracle, d.graph->materials[0].node, &surface, &values));
-        assert_true(curved_angle(values.lane[SLOT_normal], want) < most);
+        assert_true(curved_angle(values.component[SLOT_normal], want) < most);
     }
     oracle_close(oracle);
     document_close(&d);

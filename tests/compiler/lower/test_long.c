@@ -97,8 +97,9 @@ static double worst_of(Document *d, int level, const Point *points, const Hull *
         double inputs[INPUT_COUNT][4], result[MOST_OUTPUTS][4];
         evaluate_inputs(&points[i], true, inputs);
         ir_eval(ir, &context, (const double(*)[4])inputs, result);
-        for (int lane = 0; lane < 3; lane++)
-            worst = fmax(worst, hull_miss(&hulls[i], SLOT_diffuse, lane, result[0][lane]));
+        for (int component = 0; component < 3; component++)
+            worst =
+                fmax(worst, hull_miss(&hulls[i], SLOT_diffuse, component, result[0][component]));
     }
     arena_free(&arena);
     return worst;
@@ -168,8 +169,8 @@ static double apart(const Ir *plain, const Ir *exact, const Point *point, Pixel 
     pixel_inputs(pixel, inputs);
     ir_eval(plain, &context, (const double(*)[4])inputs, a);
     ir_eval(exact, &context, (const double(*)[4])inputs, b);
-    for (int lane = 0; lane < 3; lane++)
-        most = fmax(most, fabs(a[0][lane] - b[0][lane]));
+    for (int component = 0; component < 3; component++)
+        most = fmax(most, fabs(a[0][component] - b[0][component]));
     return most;
 }
 

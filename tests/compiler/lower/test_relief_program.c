@@ -59,16 +59,16 @@ static char folder[] = "/tmp/matc-relief-XXXXXX", picture[64];
 static int make_picture(void **state)
 {
     (void)state;
-    enum { SIDE = 5, LANES = 3 };
-    uint8_t bytes[SIDE * SIDE * LANES], *file;
+    enum { SIDE = 5, COMPONENTS = 3 };
+    uint8_t bytes[SIDE * SIDE * COMPONENTS], *file;
     size_t size;
     const char *why;
     if (!mkdtemp(folder))
         return 1;
     snprintf(picture, sizeof picture, "%s/picture.png", folder);
-    for (int i = 0; i < SIDE * SIDE * LANES; i++)
-        bytes[i] = (uint8_t)(i / LANES * (i / LANES) * 89 + 40);
-    file = png_write(&(PngPicture){SIDE, SIDE, LANES, bytes}, &size, &why);
+    for (int i = 0; i < SIDE * SIDE * COMPONENTS; i++)
+        bytes[i] = (uint8_t)(i / COMPONENTS * (i / COMPONENTS) * 89 + 40);
+    file = png_write(&(PngPicture){SIDE, SIDE, COMPONENTS, bytes}, &size, &why);
     if (file)
         why = output_write(picture, file, size);
     free(file);
@@ -97,9 +97,9 @@ static void steps_are_as_wide_far_out(const char *form, const Making *making, fl
         double near[3], far[3];
         for (int out = 0; out < 2; out++) {
             Point p = flat_point();
-            for (int lane = 0; lane < 2; lane++)
-                p.input[INPUT_U][lane] = p.input[INPUT_X][lane] =
-                    places[k][lane] + (out ? copysignf(turns, places[k][lane]) : 0);
+            for (int component = 0; component < 2; component++)
+                p.input[INPUT_U][component] = p.input[INPUT_X][component] =
+                    places[k][component] + (out ? copysignf(turns, places[k][component]) : 0);
             float_normal(&d, making, &p, out ? far : near);
         }
         if (fabs(far[0] - near[0]) > 1e-6 || fabs(far[1] - near[1]) > 1e-6)
@@ -161,11 +161,11 @@ static void steps_of_the_sampler_are_as_wide_as_floats_tell(void **state)
             p.input[INPUT_U][1] = 1.484375f + (out ? turns[i % 3] : 0);
             float_normal(&d, &making, &p, n[out]);
         }
-        for (int lane = 0; lane < 2; lane++)
-            if (fabs(n[1][lane] - n[0][lane]) > bound)
+        for (int component = 0; component < 2; component++)
+            if (fabs(n[1][component] - n[0][component]) > bound)
                 fail_msg("--target=%s, address: %s, %g turns out: off by %g, stated %g",
                          cases[i / 3].target, cases[i / 3].address, (double)turns[i % 3],
-                         fabs(n[1][lane] - n[0][lane]), bound);
+                         fabs(n[1][component] - n[0][component]), bound);
         document_close(&d);
     }
 }

@@ -88,8 +88,8 @@ static void compare(Test *t, const Node *map, int axis, const Ir *ir,
             continue;
         }
         for (int k = 0; k < POINT_VARYINGS; k++)
-            for (int lane = 0; lane < 3; lane++)
-                inputs[k][lane] = point->input[k][lane];
+            for (int component = 0; component < 3; component++)
+                inputs[k][component] = point->input[k][component];
         inputs[INPUT_front][0] = 1;
         inputs[INPUT_IOR][0] = point_ior;
         inputs[INPUT_time][0] = point_time;

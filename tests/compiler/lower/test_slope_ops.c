@@ -64,34 +64,35 @@ static void evaluate(Test *t, double u, double v, double result[MOST_OUTPUTS][4]
 }
 
 /* The slope over steps h, and how far both sides are apart. */
-static double over_steps(Test *t, int axis, int lane, double h, double *apart)
+static double over_steps(Test *t, int axis, int component, double h, double *apart)
 {
     double at[5][MOST_OUTPUTS][4];
     for (int i = -2; i <= 2; i++)
         evaluate(t, axis ? 0 : i * h, axis ? i * h : 0, at[i + 2]);
-    double behind = at[2][0][lane] - at[1][0][lane], ahead = at[3][0][lane] - at[2][0][lane];
+    double behind = at[2][0][component] - at[1][0][component],
+           ahead = at[3][0][component] - at[2][0][component];
     *apart = (ahead - behind) / h;
-    return (8 * (ahead + behind) - (at[4][0][lane] - at[0][0][lane])) / (12 * h);
+    return (8 * (ahead + behind) - (at[4][0][component] - at[0][0][component])) / (12 * h);
 }
 
 /* False: at a jump or a crease, or where doubles do not tell. Of a smooth value both sides are
  * apart in proportion to the step. */
-static bool difference(Test *t, int axis, int lane, double h, double *slope)
+static bool difference(Test *t, int axis, int component, double h, double *slope)
 {
     const double wider = 2.7;
-    double near, far, other = over_steps(t, axis, lane, wider * h, &far);
-    *slope = over_steps(t, axis, lane, h, &near);
+    double near, far, other = over_steps(t, axis, component, wider * h, &far);
+    *slope = over_steps(t, axis, component, h, &near);
     double room = .2 * t->bound * fmax(1, fabs(*slope)),
            crease = (wider * near - far) / (wider - 1);
     return fabs(crease) <= room && fabs(other - *slope) <= room;
 }
 
 /* By the differences over either of two steps: cells of fine octaves may begin within the one. */
-static void judge(Test *t, const char *what, int axis, int lane, double got)
+static void judge(Test *t, const char *what, int axis, int component, double got)
 {
     double expected = 0;
     for (int i = 0; i < 2; i++) {
-        if (!difference(t, axis, lane, i ? t->step / 20 : t->step, &expected)) {
+        if (!difference(t, axis, component, i ? t->step / 20 : t->step, &expected)) {
             t->skipped++;
             return;
         }
@@ -100,8 +101,8 @@ static void judge(Test *t, const char *what, int axis, int lane, double got)
             return;
         }
     }
-    fail_msg("%s: d/d%c of lane %d is %.12g, by differences %.12g", what, axis ? 'v' : 'u', lane,
-             got, expected);
+    fail_msg("%s: d/d%c of lane %d is %.12g, by differences %.12g", what, axis ? 'v' : 'u',
+             component, got, expected);
 }
 
 /* Compares slopes of the value by u and by v. */
@@ -119,8 +120,8 @@ static void compare(Test *t, Ref value, const char *name, int varying)
     evaluate(t, 0, 0, result);
     snprintf(what, sizeof what, "%s, operands %x vary", name, (unsigned)varying);
     for (int d = 0; d < 2; d++)
-        for (int lane = 0; lane < type_table[type].lanes; lane++)
-            judge(t, what, d, lane, result[1 + d][lane]);
+        for (int component = 0; component < type_table[type].components; component++)
+            judge(t, what, d, component, result[1 + d][component]);
 }
 
 /* Where an operand may lie. */
@@ -147,10 +148,10 @@ static Ref random_operand(Test *t, Op op, int operand, Type type, bool varies)
 {
     double low, high, base[4], rate[4] = {0}, other[4] = {0};
     operand_range(op, operand, &low, &high);
-    for (int lane = 0; lane < 4; lane++) {
-        base[lane] = uniform(t, low, high);
-        rate[lane] = varies ? uniform(t, -1, 1) : 0;
-        other[lane] = varies ? uniform(t, -1, 1) : 0;
+    for (int component = 0; component < 4; component++) {
+        base[component] = uniform(t, low, high);
+        rate[component] = varies ? uniform(t, -1, 1) : 0;
+        other[component] = varies ? uniform(t, -1, 1) : 0;
     }
     return moving(&t->l, type, base, rate, other);
 }
@@ -190,8 +191,8 @@ static void check_subsets(Test *t, Operation o)
             check_operation(t, &o, varying);
 }
 
-/* By lane: numbers, vectors, and numbers with a vector. */
-static void check_lanes(Test *t, Op op)
+/* By component: numbers, vectors, and numbers with a vector. */
+static void check_components(Test *t, Op op)
 {
     int count = op_table[op].arity;
     for (int vectors = 0; vectors < 1 << count; vectors++) {
@@ -237,10 +238,10 @@ static void operations_have_the_slopes_of_all_operands(void **state)
     Test t = {.random = java_random(14), .bound = 1e-7, .step = 1e-5};
     int checked = 0;
     for (int op = 0; op < OP_COUNT; op++) {
-        bool by_lane = op_table[op].rule == RULE_widest;
-        if (by_lane)
-            check_lanes(&t, (Op)op);
-        checked += by_lane || check_special(&t, (Op)op);
+        bool by_component = op_table[op].rule == RULE_widest;
+        if (by_component)
+            check_components(&t, (Op)op);
+        checked += by_component || check_special(&t, (Op)op);
     }
     print_message("%d operations, %d slopes, %d at jumps and creases\n", checked, t.compared,
                   t.skipped);
@@ -249,13 +250,14 @@ static void operations_have_the_slopes_of_all_operands(void **state)
 
 /* An argument of a call: the row's own varies, one of any size in proportion to that, and the
  * others do not. */
-static Ref argument(Test *t, char letter, const float lanes[4], const Argument *form, bool varies)
+static Ref argument(Test *t, char letter, const float components[4], const Argument *form,
+                    bool varies)
 {
     static const Type types[] = {
         ['f'] = TYPE_float, ['2'] = TYPE_vec2, ['3'] = TYPE_vec3, ['4'] = TYPE_vec4};
     double base[4], rate[4] = {0}, other[4] = {0}, size = 1;
     for (int i = 0; i < 4; i++) {
-        base[i] = (double)lanes[i];
+        base[i] = (double)components[i];
         size = form->form == FORM_wide ? fmax(size, fabs(base[i])) : 1;
     }
     for (int i = 0; i < 4; i++) {

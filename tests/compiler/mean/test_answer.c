@@ -129,8 +129,8 @@ static void surface_at(int i, Surface *surface)
     surface->root[channel_id(GROUP_U, 0)] =
         CENTRE_U + WIDTH_U * ((i % SAMPLES + 0.5) / SAMPLES - 0.5);
     surface->root[channel_id(GROUP_U, 1)] = CENTRE_V;
-    for (int lane = 0; lane < 3; lane++)
-        surface->root[channel_id(GROUP_X, lane)] = CENTRE_XZ;
+    for (int component = 0; component < 3; component++)
+        surface->root[channel_id(GROUP_X, component)] = CENTRE_XZ;
     surface->root[channel_id(GROUP_X, 1)] =
         CENTRE_Y + WIDTH_Y * ((i / SAMPLES + 0.5) / SAMPLES - 0.5);
 }
@@ -147,14 +147,14 @@ typedef struct {
 } Question;
 
 /* Variance of a component over the pixel. */
-static double true_variance(Question *q, int lane)
+static double true_variance(Question *q, int component)
 {
     Surface surface;
     double sum = 0, squares = 0;
     Oracle *oracle = open_oracle(&q->document);
     for (int i = 0; i < MOST_POINTS; i++) {
         surface_at(i, &surface);
-        double value = oracle_channel(oracle, q->map, channel_id(q->group, lane), &surface);
+        double value = oracle_channel(oracle, q->map, channel_id(q->group, component), &surface);
         sum += value;
         squares += value * value;
     }
@@ -171,7 +171,7 @@ static double true_mean(const Document *d, Slot slot)
     for (int i = 0; i < MOST_POINTS; i++) {
         surface_at(i, &surface);
         assert_true(oracle_material(oracle, d->graph->materials[0].node, &surface, &values));
-        sum += values.lane[slot][0];
+        sum += values.component[slot][0];
     }
     oracle_close(oracle);
     return sum / MOST_POINTS;
@@ -226,7 +226,7 @@ static void attempt_close(Attempt *w, Ref value, double result[4])
     arena_free(&w->arena);
 }
 
-/* The variance that the answer has, by lane; the number of lanes. */
+/* The variance that the answer has, by component; the number of components. */
 static int known_variance(Question *q, int level, double variance[4])
 {
     Attempt w;
@@ -237,7 +237,7 @@ static int known_variance(Question *q, int level, double variance[4])
     assert_true(!answer.variance || ir_type(w.l.ir, answer.variance) == type);
     Ref zero = ir_const(w.l.ir, type, (double[4]){0});
     attempt_close(&w, answer.variance ? answer.variance : zero, variance);
-    return type_table[type].lanes;
+    return type_table[type].components;
 }
 
 static double known_mean(const Document *d, Slot slot, int level)
@@ -271,13 +271,13 @@ static void variance_is_what_a_mean_leaves_out(void **state)
         q.map = node_param(q.document.graph->materials[0].node, P_Phong_diffuse)->node;
         for (int level = 0; level <= 2; level += 2) {
             double known[4];
-            int lanes = known_variance(&q, level, known);
-            for (int lane = 0; lane < lanes; lane++) {
-                double want = true_variance(&q, lane);
-                if (fabs(known[lane] - want) <= *cases[i].bound * fmax(1, want))
+            int components = known_variance(&q, level, known);
+            for (int component = 0; component < components; component++) {
+                double want = true_variance(&q, component);
+                if (fabs(known[component] - want) <= *cases[i].bound * fmax(1, want))
                     continue;
                 print_error("%s at -O%d: lane %d has the variance %g, should have %g\n",
-                            cases[i].name, level, lane, known[lane], want);
+                            cases[i].name, level, component, known[component], want);
                 faults++;
             }
         }

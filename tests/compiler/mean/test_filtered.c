@@ -98,10 +98,10 @@ static const double sizes[][2] = {
 enum { SIZES = sizeof sizes / sizeof *sizes };
 
 /* The share of cells whose sum of indices is odd; `edge` is a cell's. */
-static double odd_share(const Box *box, int lanes, double edge)
+static double odd_share(const Box *box, int components, double edge)
 {
     double product = 1;
-    for (int i = 0; i < lanes; i++)
+    for (int i = 0; i < components; i++)
         product *= mean_between(area_stripes, box->middle[i] / edge / 2, box->edge[i] / edge / 2);
     return (1 - product) / 2;
 }
@@ -396,7 +396,7 @@ static void filters_show_points(void **state)
                 SlotValues values;
                 sheet_surface(&sheet, pixel, 0, 0, &surface);
                 oracle_material(oracle, f.document.graph->materials[0].node, &surface, &values);
-                compare(&report, rgba[pixel][0], values.lane[SLOT_emissive][0], &f);
+                compare(&report, rgba[pixel][0], values.component[SLOT_emissive][0], &f);
             }
             oracle_close(oracle);
             filtered_close(&f);

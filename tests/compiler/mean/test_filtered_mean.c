@@ -64,7 +64,7 @@ static double value_at(Oracle *oracle, const Filtered *f, const Surface *surface
 {
     SlotValues values;
     oracle_material(oracle, f->document.graph->materials[0].node, surface, &values);
-    return values.lane[SLOT_emissive][0];
+    return values.component[SLOT_emissive][0];
 }
 
 static double mean_over(Oracle *oracle, const Filtered *f, const ContactSheet *sheet, int pixel)

@@ -15,7 +15,7 @@ typedef float Pixels[SHEET_PIXELS][4];
 static Drawers drawers;
 static Mipmaps small, large; /* of 2 x 2 and 8 x 8 texels */
 
-typedef double Want(const Mipmaps *m, double texels, const double u[2], int lane);
+typedef double Want(const Mipmaps *m, double texels, const double u[2], int component);
 
 static char folder[] = "/tmp/matc-filtered-XXXXXX";
 
@@ -38,83 +38,83 @@ static int tear_down(void **state)
 
 /* A picture's value stands at the lower corner of its texel (semantics.md 2.2), its mean over four
  * of them half a texel further. */
-static double level_at(const Mipmaps *m, int level, const double u[2], int lane)
+static double level_at(const Mipmaps *m, int level, const double u[2], int component)
 {
     double scale = 1 << level, x = u[0] * m->side, y = u[1] * m->side;
-    return mipmaps_bilinear(m, level, (x + .5) / scale - .5, (y + .5) / scale - .5, lane);
+    return mipmaps_bilinear(m, level, (x + .5) / scale - .5, (y + .5) / scale - .5, component);
 }
 
 /* With `texels: centre` each level's texels stand in the middle of their squares, as samplers of
  * OpenGL have them. */
-static double middle_at(const Mipmaps *m, int level, const double u[2], int lane)
+static double middle_at(const Mipmaps *m, int level, const double u[2], int component)
 {
     int side = m->side >> level;
-    return mipmaps_bilinear(m, level, u[0] * side - .5, u[1] * side - .5, lane);
+    return mipmaps_bilinear(m, level, u[0] * side - .5, u[1] * side - .5, component);
 }
 
-typedef double At(const Mipmaps *m, int level, const double u[2], int lane);
+typedef double At(const Mipmaps *m, int level, const double u[2], int component);
 
 /* Mixed of two levels, the level being the logarithm of the texels. */
-static double between(const Mipmaps *m, At *at, double texels, const double u[2], int lane)
+static double between(const Mipmaps *m, At *at, double texels, const double u[2], int component)
 {
     double level = fmin(fmax(log2(texels), 0), log2(m->side));
     int low = (int)level, high = m->side >> (low + 1) ? low + 1 : low;
-    return at(m, low, u, lane) * (1 - level + low) + at(m, high, u, lane) * (level - low);
+    return at(m, low, u, component) * (1 - level + low) + at(m, high, u, component) * (level - low);
 }
 
 /* --aa=box, by imageFiltered.glsl: as it is up to a texel a pixel; between one and two texels mixed
  * with mipmaps; then these alone. */
-static double mipmaps_at(const Mipmaps *m, At *at, double texels, const double u[2], int lane)
+static double mipmaps_at(const Mipmaps *m, At *at, double texels, const double u[2], int component)
 {
     double share = fmin(fmax(texels - 1, 0), 1);
-    return at(m, 0, u, lane) * (1 - share) + between(m, at, texels, u, lane) * share;
+    return at(m, 0, u, component) * (1 - share) + between(m, at, texels, u, component) * share;
 }
 
-static double want_mipmaps(const Mipmaps *m, double texels, const double u[2], int lane)
+static double want_mipmaps(const Mipmaps *m, double texels, const double u[2], int component)
 {
-    return mipmaps_at(m, level_at, texels, u, lane);
+    return mipmaps_at(m, level_at, texels, u, component);
 }
 
-static double want_middle_mipmaps(const Mipmaps *m, double texels, const double u[2], int lane)
+static double want_middle_mipmaps(const Mipmaps *m, double texels, const double u[2], int component)
 {
-    return mipmaps_at(m, middle_at, texels, u, lane);
+    return mipmaps_at(m, middle_at, texels, u, component);
 }
 
 /* In GLSL 1.10: sixteen places. */
-static double want_samples(const Mipmaps *m, double texels, const double u[2], int lane)
+static double want_samples(const Mipmaps *m, double texels, const double u[2], int component)
 {
     double sum = 0, x = u[0] * m->side, y = u[1] * m->side;
     if (texels <= 1)
-        return mipmaps_bilinear(m, 0, x, y, lane);
+        return mipmaps_bilinear(m, 0, x, y, component);
     for (int i = 0; i < 16; i++)
         sum += mipmaps_bilinear(m, 0, x + (i % 4 - 1.5) / 4 * texels,
-                                y + (i / 4 - 1.5) / 4 * texels, lane) /
+                                y + (i / 4 - 1.5) / 4 * texels, component) /
                16;
     return sum;
 }
 
 /* By the sampler: the mipmap whose level is the logarithm of the texels, up to a texel the picture
  * itself. */
-static double want_sampler(const Mipmaps *m, double texels, const double u[2], int lane)
+static double want_sampler(const Mipmaps *m, double texels, const double u[2], int component)
 {
-    return between(m, level_at, texels, u, lane);
+    return between(m, level_at, texels, u, component);
 }
 
-static double want_middle_sampler(const Mipmaps *m, double texels, const double u[2], int lane)
+static double want_middle_sampler(const Mipmaps *m, double texels, const double u[2], int component)
 {
-    return between(m, middle_at, texels, u, lane);
+    return between(m, middle_at, texels, u, component);
 }
 
 /* A BumpMap's normal: the slope is the difference to one texel further, of the mipmap that is shown
  * here. */
-static double want_normal(const Mipmaps *m, double texels, const double u[2], int lane)
+static double want_normal(const Mipmaps *m, double texels, const double u[2], int component)
 {
     const double step = .02, texel = 1. / m->side, right[2] = {u[0] + texel, u[1]},
                  up[2] = {u[0], u[1] + texel};
     double here = want_sampler(m, texels, u, 0);
     double n[3] = {-step * m->side * (want_sampler(m, texels, right, 0) - here),
                    -step * m->side * (want_sampler(m, texels, up, 0) - here), 1};
-    return n[lane] / sqrt(n[0] * n[0] + n[1] * n[1] + 1);
+    return n[component] / sqrt(n[0] * n[0] + n[1] * n[1] + 1);
 }
 
 /* How much of an interval `wide` around a place lies in 0 to `side`. */
@@ -125,34 +125,35 @@ static double part_inside(double place, double wide, double side)
 
 /* The shader's value at a border: the picture with its edge extended, weighted by the pixel's share
  * of the picture; of a texel where the pixel is smaller. */
-static double want_part(Want *want, const Mipmaps *m, double texels, const double u[2], int lane)
+static double want_part(Want *want, const Mipmaps *m, double texels, const double u[2],
+                        int component)
 {
     Mipmaps clamped = *m;
     double wide = fmax(texels, 1), part = 1;
     clamped.address = CLAMP;
     for (int axis = 0; axis < 2; axis++)
         part *= part_inside(u[axis] * m->side + .5, wide, m->side);
-    return part * want(&clamped, texels, u, lane);
+    return part * want(&clamped, texels, u, component);
 }
 
-static double want_part_sampler(const Mipmaps *m, double texels, const double u[2], int lane)
+static double want_part_sampler(const Mipmaps *m, double texels, const double u[2], int component)
 {
-    return want_part(want_sampler, m, texels, u, lane);
+    return want_part(want_sampler, m, texels, u, component);
 }
 
-static double want_part_mipmaps(const Mipmaps *m, double texels, const double u[2], int lane)
+static double want_part_mipmaps(const Mipmaps *m, double texels, const double u[2], int component)
 {
-    return want_part(want_mipmaps, m, texels, u, lane);
+    return want_part(want_mipmaps, m, texels, u, component);
 }
 
 /* In GLSL 1.10 all but what repeats: four places, on a grid that is turned. */
-static double want_points(const Mipmaps *m, double texels, const double u[2], int lane)
+static double want_points(const Mipmaps *m, double texels, const double u[2], int component)
 {
     static const double places[4][2] = {{-.125, -.375}, {.375, -.125}, {-.375, .125}, {.125, .375}};
     double sum = 0;
     for (int i = 0; i < 4; i++)
         sum += mipmaps_bilinear(m, 0, u[0] * m->side + places[i][0] * texels,
-                                u[1] * m->side + places[i][1] * texels, lane) /
+                                u[1] * m->side + places[i][1] * texels, component) /
                4;
     return sum;
 }
@@ -185,14 +186,15 @@ static double measure(const Mipmaps *picture, double texels, const Look *look)
     contact_sheet_set(&sheet, 1, look->turns - (look->turns > 0 ? .5 : .291), 0, texels / m->side);
     if (!filtered_draw(&f, &sheet, rgba))
         fail_msg("%s", f.error);
-    for (int i = 0; i < SHEET_PIXELS * MIPMAPS_LANES; i++) {
-        int pixel = i / MIPMAPS_LANES, lane = i % MIPMAPS_LANES;
+    for (int i = 0; i < SHEET_PIXELS * MIPMAPS_COMPONENTS; i++) {
+        int pixel = i / MIPMAPS_COMPONENTS, component = i % MIPMAPS_COMPONENTS;
         Surface s;
         sheet_surface(&sheet, pixel, 0, 0, &s);
         const double *at = &s.root[channel_id(GROUP_U, 0)],
                      u[2] = {at[0] - look->turns, at[1] - look->turns};
-        double want = look->want(m, texels, u, lane);
-        note(isnan(rgba[pixel][lane]) ? INFINITY : fabs(rgba[pixel][lane] - want), &worst);
+        double want = look->want(m, texels, u, component);
+        note(isnan(rgba[pixel][component]) ? INFINITY : fabs(rgba[pixel][component] - want),
+             &worst);
     }
     filtered_close(&f);
     return worst;

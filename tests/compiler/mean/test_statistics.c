@@ -39,7 +39,7 @@ static void random_point(uint64_t *random, double p[3])
 }
 
 typedef struct {
-    double lanes[3]; /* means of the vector */
+    double components[3]; /* means of the vector */
     /* slope: the mean square of its derivative along an axis */
     double mean, variance, magnitude, slope;
     double fourth; /* mean fourth power */
@@ -55,8 +55,8 @@ static Moments measure(ReferenceNoise noise)
         random_point(&random, p);
         reference_lattice_slope(noise, p, value, slope);
         double v = clamp(2 * value[0], -1, 1);
-        for (int lane = 0; lane < 3; lane++)
-            m.lanes[lane] += value[lane] / POINTS;
+        for (int component = 0; component < 3; component++)
+            m.components[component] += value[component] / POINTS;
         m.mean += v / POINTS;
         m.magnitude += fabs(v) / POINTS;
         square += v * v / POINTS;
@@ -105,12 +105,12 @@ static void near(const char *name, const char *what, double stated, double is, d
 }
 
 /* Mean of a component of one octave of vectors over a wide square. */
-static double stated_lane(ReferenceNoise noise, int lane)
+static double stated_component(ReferenceNoise noise, int component)
 {
     const double args[] = {.1, .2, .3, 0, 0, 0, 1, 2, 1, wide};
     double result[4];
     reference_vectorTurbulenceFiltered(&(ReferenceContext){.noise = noise}, args, result);
-    return result[lane];
+    return result[component];
 }
 
 /* (noiseMagnitude - 1/2) (2 - 1/32): six octaves, each half as strong as the one before. */
@@ -140,8 +140,9 @@ static void wide_squares_have_the_moments(void **state)
              .002);
         near(noises[i].name, "mean magnitude", stated_magnitude(noise), m.magnitude, .002);
         near(noises[i].name, "variance", variance_left(noise, wide), m.variance, .003);
-        for (int lane = 0; lane < 3; lane++)
-            near(noises[i].name, "mean of vectors", stated_lane(noise, lane), m.lanes[lane], .002);
+        for (int component = 0; component < 3; component++)
+            near(noises[i].name, "mean of vectors", stated_component(noise, component),
+                 m.components[component], .002);
     }
 }
 

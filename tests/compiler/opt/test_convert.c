@@ -6,8 +6,8 @@
 #include "tests/value/ir_site.h"
 #include <math.h>
 
-/* The conversion table: a number stands for all lanes, what is missing is 0 and alpha 1, a mean
- * stands for a vector. */
+/* The conversion table: a number stands for all components, what is missing is 0 and alpha 1, a
+ * mean stands for a vector. */
 static void types_convert_by_the_table(void **state)
 {
     (void)state;
@@ -27,8 +27,8 @@ static void types_convert_by_the_table(void **state)
                       build_convert(s.ir, ir_const(s.ir, types[i], from), types[k]));
             assert_null(ir_check(s.ir));
             ir_eval(s.ir, &(ReferenceContext){.noise = REFERENCE_LATTICE}, inputs, value);
-            for (int lane = 0; lane <= k; lane++)
-                assert_true(fabs(value[0][lane] - wanted[i][k][lane]) < 1e-12);
+            for (int component = 0; component <= k; component++)
+                assert_true(fabs(value[0][component] - wanted[i][k][component]) < 1e-12);
             site_close(&s);
         }
 }

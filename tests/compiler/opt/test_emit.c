@@ -33,8 +33,8 @@ static void make_points(Point *points)
     memset(points, 0, POINTS * sizeof *points);
     for (int i = 0; i < POINTS; i++)
         for (int input = 0; input < POINT_VARYINGS; input++)
-            for (int lane = 0; lane < 3; lane++)
-                points[i].input[input][lane] = (float)(0.2 + 0.7 * choose_part(&choices));
+            for (int component = 0; component < 3; component++)
+                points[i].input[input][component] = (float)(0.2 + 0.7 * choose_part(&choices));
 }
 
 /* A vec4 of the value, a truth as 1 or 0. */
@@ -42,11 +42,11 @@ static Ref as_color(Ir *ir, Ref value)
 {
     if (ir_type(ir, value) == TYPE_bool)
         value = build_select(ir, value, build_float(ir, 1), build_float(ir, 0));
-    int lanes = ir_lanes(ir, value);
-    if (lanes == 4)
+    int components = ir_components(ir, value);
+    if (components == 4)
         return value;
     static const Type rest[] = {0, TYPE_vec3, TYPE_vec2, TYPE_float};
-    Ref zero = build_all(ir, rest[lanes], 0);
+    Ref zero = build_all(ir, rest[components], 0);
     return build_vec(ir, TYPE_vec4, value, zero);
 }
 
@@ -85,10 +85,11 @@ static void compare(Test *t, const Ir *ir, const char *text, const char *fragmen
         double inputs[INPUT_COUNT][4], value[MOST_OUTPUTS][4];
         evaluate_inputs(&t->points[i], true, inputs);
         ir_eval(ir, &context, (const double(*)[4])inputs, value);
-        for (int lane = 0; lane < 4; lane++)
-            if (!(fabs(drawn[i][lane] - value[0][lane]) <= bound * fmax(1, fabs(value[0][lane]))))
-                fail_msg("%s: lane %d is %.9g, drawn %.9g\n%s", text, lane, value[0][lane],
-                         drawn[i][lane], fragment);
+        for (int component = 0; component < 4; component++)
+            if (!(fabs(drawn[i][component] - value[0][component]) <=
+                  bound * fmax(1, fabs(value[0][component]))))
+                fail_msg("%s: lane %d is %.9g, drawn %.9g\n%s", text, component,
+                         value[0][component], drawn[i][component], fragment);
     }
 }
 
@@ -217,7 +218,7 @@ static void floats_and_vectors_mix(void **state)
         }
 }
 
-static void numbers_lanes_and_vectors_are_written(void **state)
+static void numbers_components_and_vectors_are_written(void **state)
 {
     static const char *const texts[] = {"neg(-0.5)",
                                         "sub(x, -0.5)",
@@ -401,7 +402,7 @@ int main(void)
         cmocka_unit_test(every_operation_stands_within_every_other),
         cmocka_unit_test(comparisons_and_logic_stand_within_each_other),
         cmocka_unit_test(floats_and_vectors_mix),
-        cmocka_unit_test(numbers_lanes_and_vectors_are_written),
+        cmocka_unit_test(numbers_components_and_vectors_are_written),
         cmocka_unit_test(branches_by_one_condition_are_what_they_mean),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);

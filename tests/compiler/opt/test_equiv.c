@@ -92,9 +92,10 @@ static void check_values(Test *t, int material, Slot slot, int level, const Ir *
         if (t->bent)
             evaluate_bends(&t->points[point], inputs);
         ir_eval(ir, &context, (const double(*)[4])inputs, result);
-        for (int lane = 0; lane < type_table[slot_table[slot].type].lanes; lane++) {
+        for (int component = 0; component < type_table[slot_table[slot].type].components;
+             component++) {
             const Hull *hull = &t->hulls[front][point];
-            double miss = hull_miss(hull, slot, lane, result[0][lane]);
+            double miss = hull_miss(hull, slot, component, result[0][component]);
             t->worst = fmax(t->worst, miss < bound ? miss : 0);
             if (miss <= most)
                 continue;
@@ -102,8 +103,8 @@ static void check_values(Test *t, int material, Slot slot, int level, const Ir *
             fault(
                 t, material, slot,
                 "-O%d lane %d: %.17g, oracle %.17g at u=%.9g v=%.9g x=%.9g y=%.9g z=%.9g front=%d",
-                level, lane, result[0][lane], hull->value.lane[slot][lane], u[0], u[1], x[0], x[1],
-                x[2], front);
+                level, component, result[0][component], hull->value.component[slot][component],
+                u[0], u[1], x[0], x[1], x[2], front);
             arena_free(&arena);
             return;
         }

@@ -1,12 +1,13 @@
-/* opt_merge: the value of a pattern that is its gradient's fourth lane is not computed again. */
+/* opt_merge: the value of a pattern that is its gradient's fourth component is not computed again.
+ */
 /* ctest: quick */
 #include "tests/test.h"
 #include "compiler/opt/opt.h"
 #include "tests/rule_case.h"
 
 /* Gradients of a pattern at points p and its values at points q, each with a weight of its own, all
- * in one sum: a value is its gradient's fourth lane where q is p, and nowhere else. So many that
- * their places in any table are taken. */
+ * in one sum: a value is its gradient's fourth component where q is p, and nowhere else. So many
+ * that their places in any table are taken. */
 enum { GRADIENTS = 300 };
 
 static Ref point_of(Ir *ir, int number)

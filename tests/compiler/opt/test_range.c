@@ -167,7 +167,7 @@ static Interval claim(Site *s, Op op, const Interval *of, bool square)
     Ranges ranges = {.of = ARENA_ARRAY(&s->arena, Interval, s->ir->count),
                      .place = ARENA_ARRAY(&s->arena, RangePlace, s->ir->count),
                      .count = (Ref)s->ir->count,
-                     .lanes = 1};
+                     .components = 1};
     for (int k = op_table[op].arity - 1; k >= 0; k--) {
         ranges.place[args[k]].first = args[k];
         ranges.of[args[k]] = of[k];
@@ -213,8 +213,8 @@ static void intervals_hold_and_are_no_wider_than_values(void **state)
 
 typedef struct {
     const char *text;
-    int lanes; /* intervals kept: 1, or one for each lane */
-    int lane;
+    int components; /* intervals kept: 1, or one for each component */
+    int component;
     double low, high;
 } Known;
 
@@ -233,7 +233,7 @@ static const Known known[] = {
     {"div(fract(x), clamp(y, 0, 4))", 1, 0, -INFINITY, INFINITY},
     {"div(fract(x), clamp(y, -4, 0))", 1, 0, -INFINITY, INFINITY},
     {"div(fract(x), y)", 1, 0, -INFINITY, INFINITY},
-    /* a tangent that may pass its pole; vector products, a lane and all of them */
+    /* a tangent that may pass its pole; vector products, a component and all of them */
     {"tan(clamp(x, 1, 2))", 1, 0, -INFINITY, INFINITY},
     {"cross(vec3(fract(x), 2, 3), vec3(4, 5, fract(y)))", 4, 2, -8, -3},
     {"cross(vec3(fract(x), 2, 3), vec3(4, 5, fract(y)))", 4, 0, -15, -13},
@@ -257,7 +257,7 @@ static const Known known[] = {
     {"mix(3, 3, fract(x))", 1, 0, 3, 3}, /* but for equal ones */
     {"mix(vec2(x, 3), vec2(y, 3), z)", 4, 1, 3, 3},
     {"mix(vec2(x, 3), vec2(y, 4), z)", 4, 1, -INFINITY, INFINITY},
-    /* vectors: together, and lane by lane */
+    /* vectors: together, and component by component */
     {"vec2(fract(x), add(fract(y), 3))", 1, 0, 0, 4},
     {"vec2(fract(x), add(fract(y), 3))", 4, 0, 0, 1},
     {"vec2(fract(x), add(fract(y), 3))", 4, 1, 3, 4},
@@ -271,7 +271,8 @@ static const Known known[] = {
     {"[1, -2, 3]", 1, 0, -2, 3},
     {"[1, -2, 3]", 4, 1, -2, -2},
     {"dot(vec2(fract(x), 2), [3, -1])", 4, 0, -2, 1},
-    {"dot(vec3(fract(x), fract(y), 2), [1, 1, 1])", 1, 0, 0, 6}, /* three lanes of up to 2 each */
+    {"dot(vec3(fract(x), fract(y), 2), [1, 1, 1])", 1, 0, 0,
+     6}, /* three components of up to 2 each */
     {"length(vec2(mul(fract(x), 3), 4))", 4, 0, 0, 5},
     {"length(vec2(fract(x), 3))", 1, 0, 0, 4.24264069},
     {"linear(vec2(fract(x), fract(y)), [1, 10], [2, -20])", 4, 0, 0, 3},
@@ -328,11 +329,11 @@ static void intervals_of_expressions_are_those_worked_out(void **state)
         site_open(&site);
         Ref ref = expression_read(site.ir, known[i].text);
         assert_int_not_equal(ref, 0);
-        Ranges ranges = range_find(site.ir, &site.arena, known[i].lanes);
-        Interval got = range_of(&ranges, site.ir, ref, known[i].lane);
+        Ranges ranges = range_find(site.ir, &site.arena, known[i].components);
+        Interval got = range_of(&ranges, site.ir, ref, known[i].component);
         if (!is_near(got.low, known[i].low) || !is_near(got.high, known[i].high)) {
             print_error("%s lane %d of %d: [%.9g, %.9g] instead of [%.9g, %.9g]\n", known[i].text,
-                        known[i].lane, known[i].lanes, got.low, got.high, known[i].low,
+                        known[i].component, known[i].components, got.low, got.high, known[i].low,
                         known[i].high);
             failed++;
         }
@@ -345,7 +346,7 @@ static void intervals_of_expressions_are_those_worked_out(void **state)
 static void functions_of_the_program_have_the_range_of_their_result(void **state)
 {
     (void)state;
-    for (int lanes = 1; lanes <= 4; lanes += 3) {
+    for (int components = 1; components <= 4; components += 3) {
         Site s;
         Ref arguments[1], args[1];
         site_open(&s);
@@ -355,7 +356,7 @@ static void functions_of_the_program_have_the_range_of_their_result(void **state
         args[0] = expression_read(s.ir, "v");
         Ref once = build_apply(s.ir, function, args),
             kernel = build_kernel(s.ir, function, args, args[0]);
-        Ranges ranges = range_find(s.ir, &s.arena, lanes);
+        Ranges ranges = range_find(s.ir, &s.arena, components);
         Interval one = range_of(&ranges, s.ir, once, 1), all = range_of(&ranges, s.ir, kernel, 1);
         assert_true(one.low == -0.25 && one.high == 0.75);
         assert_true(all.low == -0.25 * 27 && all.high == 0.75 * 27);

@@ -1,5 +1,5 @@
 /* Values of every node of random programs, held against the intervals that are claimed of them: one
- * for a node, and one for each lane, where conditions bound what their arms compute. */
+ * for a node, and one for each component, where conditions bound what their arms compute. */
 #include "tests/test.h"
 #include "compiler/ir/build.h"
 #include "compiler/ir/fold.h"
@@ -82,7 +82,7 @@ static Ref float_step(Program *p)
         return build_length(ir, a_vector(p));
     case 8:
         vector = a_vector(p);
-        return build_lanes(ir, vector, choose(&p->choices, 3), 1);
+        return build_components(ir, vector, choose(&p->choices, 3), 1);
     default:
         return guarded(p);
     }
@@ -128,14 +128,14 @@ static void program_make(Program *p, int number)
 static void check_node(Program *p, const Ranges ranges[2], Ref ref, const double *value)
 {
     for (int kept = 0; kept < 2; kept++)
-        for (int lane = 0; lane < ir_lanes(p->site.ir, ref); lane++) {
-            Interval claimed = range_of(&ranges[kept], p->site.ir, ref, lane);
-            double spare = 1e-9 * fmax(fabs(value[lane]), 1), x = value[lane];
+        for (int component = 0; component < ir_components(p->site.ir, ref); component++) {
+            Interval claimed = range_of(&ranges[kept], p->site.ir, ref, component);
+            double spare = 1e-9 * fmax(fabs(value[component]), 1), x = value[component];
             if (isfinite(x) && !(x >= claimed.low - spare && x <= claimed.high + spare)) {
                 Text text = text_new(&p->site.arena);
                 expression_print(&text, p->site.ir, ref);
-                fail_msg("%.900s: lane %d is %.17g, claimed [%.17g, %.17g] of %d", text.at, lane, x,
-                         claimed.low, claimed.high, ranges[kept].lanes);
+                fail_msg("%.900s: lane %d is %.17g, claimed [%.17g, %.17g] of %d", text.at,
+                         component, x, claimed.low, claimed.high, ranges[kept].components);
             }
         }
 }
@@ -151,9 +151,10 @@ static void check_nodes(Program *p, const Ranges ranges[2], const Ref *refs, int
         double inputs[INPUT_COUNT][4], values[MOST_OUTPUTS][4];
         p->choices.count = 0;
         for (int i = 0; i < INPUT_COUNT; i++)
-            for (int lane = 0; lane < 4; lane++)
-                inputs[i][lane] = chance(&p->choices, 1, 2) ? 8 * choose_part(&p->choices) - 4
-                                                            : numbers[choose(&p->choices, NUMBERS)];
+            for (int component = 0; component < 4; component++)
+                inputs[i][component] = chance(&p->choices, 1, 2)
+                                           ? 8 * choose_part(&p->choices) - 4
+                                           : numbers[choose(&p->choices, NUMBERS)];
         ir_eval(p->site.ir, &context, (const double(*)[4])inputs, values);
         for (int i = 0; i < count; i++)
             check_node(p, ranges, refs[i], values[i]);
@@ -182,7 +183,7 @@ static void values_of_random_programs_lie_within_their_intervals(void **state)
 
 enum { CALLS = 3000, MOST_NUMBERS = 64, TEXELS = 8 };
 
-static double a_lane(Choices *c)
+static double a_component(Choices *c)
 {
     double part = choose_part(c);
     switch (choose(c, 4)) {
@@ -197,17 +198,17 @@ static double a_lane(Choices *c)
     }
 }
 
-static int vector_argument(Choices *c, int lanes, double *to)
+static int vector_argument(Choices *c, int components, double *to)
 {
     double square = 0;
     bool unit = chance(c, 1, 2);
-    for (int i = 0; i < lanes; i++) {
-        to[i] = a_lane(c);
+    for (int i = 0; i < components; i++) {
+        to[i] = a_component(c);
         square += to[i] * to[i];
     }
-    for (int i = 0; unit && square > 0 && i < lanes; i++)
+    for (int i = 0; unit && square > 0 && i < components; i++)
         to[i] /= sqrt(square);
-    return lanes;
+    return components;
 }
 
 /* One of the letter's type; how many numbers it has. */
@@ -221,7 +222,7 @@ static int an_argument(Choices *c, char letter, double *to)
         to[0] = 4 + choose(c, 6); /* bits that every code has */
         return 1;
     case 'f':
-        to[0] = a_lane(c);
+        to[0] = a_component(c);
         return 1;
     default:
         return vector_argument(c, letter - '0', to);
@@ -245,7 +246,7 @@ static void functions_have_values_within_their_intervals(void **state)
     (void)state;
     static const uint8_t texels[TEXELS * TEXELS * 4] = {0, 255, 3, 128, 7, 200, 255, 0, 90};
     const ReferenceTexture texture = {
-        .width = TEXELS, .height = TEXELS, .lanes = 4, .bytes = texels};
+        .width = TEXELS, .height = TEXELS, .components = 4, .bytes = texels};
     const ReferenceContext context = {REFERENCE_LATTICE, &texture};
     int bounded = 0;
     Choices choices;
@@ -264,11 +265,12 @@ static void functions_have_values_within_their_intervals(void **state)
             for (const char *letter = function_arguments(function); *letter; letter++)
                 used += an_argument(&choices, *letter, &args[used]);
             reference_of(function)(&context, args, result);
-            for (int lane = 0; lane < type_table[function_row(function)->result].lanes; lane++)
-                if (isfinite(result[lane]) &&
-                    !(result[lane] >= claimed.low && result[lane] <= claimed.high))
+            for (int component = 0;
+                 component < type_table[function_row(function)->result].components; component++)
+                if (isfinite(result[component]) &&
+                    !(result[component] >= claimed.low && result[component] <= claimed.high))
                     fail_msg("%s: %.9g, claimed [%.9g, %.9g]", function_row(function)->name,
-                             result[lane], claimed.low, claimed.high);
+                             result[component], claimed.low, claimed.high);
         }
         site_close(&site);
     }

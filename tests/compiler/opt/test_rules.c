@@ -192,7 +192,7 @@ static const RuleCase vectors[] = {
     {"floor(v).zx", "floor(v.zx)"},
     {"select(front, v, w).y", "select(front, y, w.y)"},
     {"mix(v, w, x).y", "mix(y, w.y, x)"},
-    /* a lane that both have, whichever it is mixed by or chosen by */
+    /* a component that both have, whichever it is mixed by or chosen by */
     {"mix(vec4(v, 1), [4, 5, 6, 1], x).w", "1"},
     {"mix(vec4(v, 1), vec4(w, 1), vec4(x, y, z, x)).w", "1"},
     {"mix(vec4(v, 1), vec4(w, 0.5), x).w", "mix(1, 0.5, x)"},

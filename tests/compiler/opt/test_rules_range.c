@@ -15,7 +15,7 @@ static const RuleCase ranges[] = {
     {"clamp(fract(x), -2, 0.001)", NULL},
     {"clamp(fract(x), 0.001, 1)", NULL},
     {"clamp(x, 0, 1)", NULL},
-    /* lane by lane: of all of them */
+    /* component by component: of all of them */
     {"max(vec2(fract(x), 7), [0, 7])", "vec2(fract(x), 7)"},
     {"max(vec2(7, fract(x)), 0.5)", NULL},
     {"max(vec2(fract(x), 7), 0.5)", NULL},

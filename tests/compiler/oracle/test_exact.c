@@ -91,7 +91,7 @@ static void waves_are_exact(void **state)
             R want = waves[w].exact(num(taken));
             /* near a pole a double's own rounding is what errs most */
             double slope = !strcmp(waves[w].name, "Tan") ? 1 + fabs(value(want)) : 1;
-            agrees(waves[w].name, values.lane[SLOT_emissive][0], want, 2e-15 * slope);
+            agrees(waves[w].name, values.component[SLOT_emissive][0], want, 2e-15 * slope);
             exact_forget();
         }
         read_close(&read);
@@ -121,7 +121,7 @@ static void exponents_are_exact(void **state)
         oracle_surface_default(&surface);
         oracle_surface_set(&surface, "x", x);
         read_values(&read, &surface, &values);
-        agrees("exponent", values.lane[SLOT_shininess][0], exact_exponent(x), 4e-15);
+        agrees("exponent", values.component[SLOT_shininess][0], exact_exponent(x), 4e-15);
         exact_forget();
     }
     read_close(&read);
@@ -173,7 +173,7 @@ static void rotations_are_exact(void **state)
         for (int i = 0; i < 3; i++)
             q[i] = plus(q[i], num(m[0][i]));
         R want = less(plus(q[0], times(num(0.5), q[1])), times(num(2), q[2]));
-        agrees("rotation", values.lane[SLOT_emissive][0], want, 2e-14);
+        agrees("rotation", values.component[SLOT_emissive][0], want, 2e-14);
         exact_forget();
         read_close(&read);
     }
@@ -203,12 +203,13 @@ static R decimal(const char *text)
     return r;
 }
 
-/* (1 + A e^(B/cos theta)) (1 + C e^(D gamma) + E cos^2 gamma) of lane Y, x or y. */
-static R perez_f(int lane, R turbidity, R cos_theta, R gamma)
+/* (1 + A e^(B/cos theta)) (1 + C e^(D gamma) + E cos^2 gamma) of component Y, x or y. */
+static R perez_f(int component, R turbidity, R cos_theta, R gamma)
 {
     R k[5], c = cosine(gamma);
     for (int i = 0; i < 5; i++)
-        k[i] = plus(times(decimal(perez[i][lane][0]), turbidity), decimal(perez[i][lane][1]));
+        k[i] = plus(times(decimal(perez[i][component][0]), turbidity),
+                    decimal(perez[i][component][1]));
     return times(
         plus(num(1), times(k[0], power_e(over(k[1], cos_theta)))),
         plus(plus(num(1), times(k[2], power_e(times(k[3], gamma)))), times(k[4], times(c, c))));
@@ -224,13 +225,14 @@ static R cubic_of(const char *const k[4], R t)
 
 /* Chromaticity x or y of the zenith; the luminance's own is left out, as it is scaled in any
  * case. */
-static R zenith_of(int lane, R turbidity, R sun)
+static R zenith_of(int component, R turbidity, R sun)
 {
-    if (lane == 0)
+    if (component == 0)
         return num(1);
-    R sum = cubic_of(zenith[lane - 1][0], sun);
-    return plus(times(plus(times(sum, turbidity), cubic_of(zenith[lane - 1][1], sun)), turbidity),
-                cubic_of(zenith[lane - 1][2], sun));
+    R sum = cubic_of(zenith[component - 1][0], sun);
+    return plus(
+        times(plus(times(sum, turbidity), cubic_of(zenith[component - 1][1], sun)), turbidity),
+        cubic_of(zenith[component - 1][2], sun));
 }
 
 /* Linear sRGB along a direction, up to a factor that all directions share. */
@@ -265,7 +267,7 @@ static void radiance(Read *read, R *view, double rgb[3])
     for (int i = 0; i < 3; i++)
         surface.root[channel_id(GROUP_X, i)] = value(view[i]);
     read_values(read, &surface, &values);
-    memcpy(rgb, values.lane[SLOT_emissive], 3 * sizeof *rgb);
+    memcpy(rgb, values.component[SLOT_emissive], 3 * sizeof *rgb);
 }
 
 static void skies_are_exact(void **state)
@@ -294,8 +296,8 @@ static void skies_are_exact(void **state)
             unit3(view);
             sky_along(num(t), sun, view, want);
             radiance(&read, view, rgb);
-            for (int lane = 0; lane < 3; lane++) /* beside the zenith's green */
-                agrees("sky", rgb[lane] / base[1], over(want[lane], first[1]), 3e-11);
+            for (int component = 0; component < 3; component++) /* beside the zenith's green */
+                agrees("sky", rgb[component] / base[1], over(want[component], first[1]), 3e-11);
         }
         exact_forget();
         read_close(&read);

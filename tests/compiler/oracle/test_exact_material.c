@@ -11,7 +11,7 @@ typedef struct {
 typedef struct {
     const char *name, *document;
     Slot slot;
-    void (*exact)(const At *at, R *want); /* three lanes, or one */
+    void (*exact)(const At *at, R *want); /* three components, or one */
     double bound;
     int derivatives; /* of bumps: a Choice */
 } Material;
@@ -44,8 +44,9 @@ static void bands(const At *at, R *want)
     R f = plus(times(num(3), at->p[0]), times(num(0.5), at->p[1]));
     R t = sine(times(times(num(2), pi()), plus(f, num(0.125))));
     int i = value(t) >= 0;
-    for (int lane = 0; lane < 3; lane++)
-        want[lane] = between(t, num(i - 1), num(i), num(colour[i][lane]), num(colour[i + 1][lane]));
+    for (int component = 0; component < 3; component++)
+        want[component] = between(t, num(i - 1), num(i), num(colour[i][component]),
+                                  num(colour[i + 1][component]));
 }
 
 /* Rings: the triangle wave of 5 sqrt(x^2 + y^2) + 0.25. */
@@ -331,19 +332,19 @@ static double coordinate(int point, int axis)
 static void make_point(int point, Surface *surface, At *at)
 {
     static const Group groups[] = {GROUP_U, GROUP_X, GROUP_N, GROUP_DU, GROUP_DV};
-    R *const lanes[] = {NULL, at->p, at->n, at->du, at->dv};
+    R *const components[] = {NULL, at->p, at->n, at->du, at->dv};
     oracle_surface_default(surface);
     for (int g = 0; g < 5; g++)
-        for (int lane = 0; lane < (g ? 3 : 2); lane++) {
-            double v = coordinate(point, 3 * g + lane);
-            surface->root[channel_id(groups[g], lane)] = v;
-            *(g ? &lanes[g][lane] : lane ? &at->v : &at->u) = num(v);
+        for (int component = 0; component < (g ? 3 : 2); component++) {
+            double v = coordinate(point, 3 * g + component);
+            surface->root[channel_id(groups[g], component)] = v;
+            *(g ? &components[g][component] : component ? &at->v : &at->u) = num(v);
         }
-    for (int lane = 0; lane < 3; lane++) {
-        surface->local_u[lane] = coordinate(point, 14 + lane);
-        surface->local_v[lane] = coordinate(point, 17 + lane);
-        at->by_u[lane] = num(surface->local_u[lane]);
-        at->by_v[lane] = num(surface->local_v[lane]);
+    for (int component = 0; component < 3; component++) {
+        surface->local_u[component] = coordinate(point, 14 + component);
+        surface->local_v[component] = coordinate(point, 17 + component);
+        at->by_u[component] = num(surface->local_u[component]);
+        at->by_v[component] = num(surface->local_v[component]);
     }
 }
 
@@ -354,7 +355,7 @@ static void materials_are_exact(void **state)
         Read read;
         read_open(&read, materials[m].document, REFERENCE_GROIMP);
         oracle_derivatives(read.oracle, (Choice)materials[m].derivatives);
-        int lanes = type_table[slot_table[materials[m].slot].type].lanes;
+        int components = type_table[slot_table[materials[m].slot].type].components;
         for (int point = 0; point < POINTS; point++) {
             Surface surface;
             SlotValues values;
@@ -363,9 +364,9 @@ static void materials_are_exact(void **state)
             make_point(point, &surface, &at);
             read_values(&read, &surface, &values);
             materials[m].exact(&at, want);
-            for (int lane = 0; lane < lanes; lane++)
-                agrees(materials[m].name, values.lane[materials[m].slot][lane], want[lane],
-                       materials[m].bound);
+            for (int component = 0; component < components; component++)
+                agrees(materials[m].name, values.component[materials[m].slot][component],
+                       want[component], materials[m].bound);
             exact_forget();
         }
         read_close(&read);

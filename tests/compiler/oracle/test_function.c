@@ -28,7 +28,7 @@ typedef struct {
     ReferenceContext context;
     const char *choices;
     Tuple tuple[CALL_COUNT];
-    double result[CALL_COUNT][CALL_LANES];
+    double result[CALL_COUNT][CALL_COMPONENTS];
 } Test;
 
 static const char *name_of(const FunctionCase *row) { return function_row(row->function)->name; }
@@ -47,9 +47,10 @@ static double octave_sum(Test *t, Tuple tuple, bool slope)
 }
 
 /* Divisor of an error. */
-static double scale_of(Test *t, int i, const double expected[CALL_LANES], int lane, int lanes)
+static double scale_of(Test *t, int i, const double expected[CALL_COMPONENTS], int component,
+                       int components)
 {
-    double greatest = 0, v = fabs(expected[lane]);
+    double greatest = 0, v = fabs(expected[component]);
     switch (t->row->unit) {
     case UNIT_RELATIVE:
         return fmax(v, least_relative);
@@ -61,7 +62,7 @@ static double scale_of(Test *t, int i, const double expected[CALL_LANES], int la
     case UNIT_SLOPE:
         return octave_sum(t, t->tuple[i], t->row->unit == UNIT_SLOPE);
     case UNIT_VECTOR:
-        for (int k = 0; k < lanes; k++)
+        for (int k = 0; k < components; k++)
             greatest = fmax(greatest, fabs(expected[k]));
         return fmax(greatest, least_relative);
     default:
@@ -69,27 +70,27 @@ static double scale_of(Test *t, int i, const double expected[CALL_LANES], int la
     }
 }
 
-static void reference(const Test *t, const double *args, double expected[CALL_LANES])
+static void reference(const Test *t, const double *args, double expected[CALL_COMPONENTS])
 {
     reference_of(t->function)(&t->context, args, expected);
 }
 
 /* From what the reference makes of the neighbours: from the nearest of them for codes, else from
  * their hull, which is taken to be wider by its own width. */
-static double miss_nearby(Test *t, int i, int lane, double start)
+static double miss_nearby(Test *t, int i, int component, double start)
 {
     const char *letters = function_arguments(t->function);
-    double low = start, high = start, got = t->result[i][lane];
+    double low = start, high = start, got = t->result[i][component];
     uint64_t state = java_random(i);
     for (int k = 0; k < NEIGHBOURS; k++) {
-        double args[MOST_NUMBERS], expected[CALL_LANES] = {0};
+        double args[MOST_NUMBERS], expected[CALL_COMPONENTS] = {0};
         tuple_flatten(t->tuple[i], letters, args);
         tuple_move(args, t->row->arguments, letters, t->row->reach, &state);
         reference(t, args, expected);
-        if (expected[lane] == got)
+        if (expected[component] == got)
             return 0;
-        low = fmin(low, expected[lane]);
-        high = fmax(high, expected[lane]);
+        low = fmin(low, expected[component]);
+        high = fmax(high, expected[component]);
     }
     if (t->row->unit == UNIT_CODE)
         return 1;
@@ -97,23 +98,24 @@ static double miss_nearby(Test *t, int i, int lane, double start)
     return fmax(fmax(low - room - got, got - high - room), 0);
 }
 
-static double miss_of(Test *t, int i, const double expected[CALL_LANES], int lane, int lanes)
+static double miss_of(Test *t, int i, const double expected[CALL_COMPONENTS], int component,
+                      int components)
 {
-    double scale = scale_of(t, i, expected, lane, lanes), got = t->result[i][lane];
-    double miss = fabs(got - expected[lane]);
+    double scale = scale_of(t, i, expected, component, components), got = t->result[i][component];
+    double miss = fabs(got - expected[component]);
     if (!isfinite(got))
         return INFINITY;
     if (t->row->unit == UNIT_TURN)
-        miss = fabs(got - expected[lane] - rint(got - expected[lane]));
+        miss = fabs(got - expected[component] - rint(got - expected[component]));
     if (t->row->unit == UNIT_CODE)
         miss = miss != 0;
     if (miss <= t->row->bound * scale || t->row->reach == 0)
         return miss / scale;
     t->moved++;
-    return miss_nearby(t, i, lane, expected[lane]) / scale;
+    return miss_nearby(t, i, component, expected[component]) / scale;
 }
 
-static void show(Test *t, int i, int lane, double expected, double miss)
+static void show(Test *t, int i, int component, double expected, double miss)
 {
     char text[1024];
     double args[MOST_NUMBERS];
@@ -121,32 +123,32 @@ static void show(Test *t, int i, int lane, double expected, double miss)
     const char *letters = function_arguments(t->function);
     tuple_flatten(t->tuple[i], letters, args);
     for (int k = 0; letters[k]; k++)
-        count += argument_lanes(letters[k]);
+        count += argument_components(letters[k]);
     for (int k = 0; k < count; k++)
         size += snprintf(text + size, sizeof text - (size_t)size, " %.9g", args[k]);
     print_error("%s %s (%s) lane %d:%s\n    is %.9g, should be %.9g, off by %.2g\n",
-                name_of(t->row), target_table[t->caller.target].name, t->choices, lane, text,
-                t->result[i][lane], expected, miss);
+                name_of(t->row), target_table[t->caller.target].name, t->choices, component, text,
+                t->result[i][component], expected, miss);
 }
 
 static void compare(Test *t)
 {
     const char *letters = function_arguments(t->function);
     Type type = function_row(t->function)->result;
-    int lanes = type == TYPE_uint ? 1 : type_table[type].lanes, shown = 0;
+    int components = type == TYPE_uint ? 1 : type_table[type].components, shown = 0;
     for (int i = 0; i < CALL_COUNT; i++) {
-        double args[MOST_NUMBERS], expected[CALL_LANES] = {0};
+        double args[MOST_NUMBERS], expected[CALL_COMPONENTS] = {0};
         tuple_flatten(t->tuple[i], letters, args);
         reference(t, args, expected);
         t->tuples++;
-        for (int lane = 0; lane < lanes; lane++) {
-            double miss = miss_of(t, i, expected, lane, lanes);
+        for (int component = 0; component < components; component++) {
+            double miss = miss_of(t, i, expected, component, components);
             t->worst = fmax(t->worst, miss);
             if (miss <= t->row->bound)
                 continue;
             t->faults++;
             if (shown++ < MOST_SHOWN)
-                show(t, i, lane, expected[lane], miss);
+                show(t, i, component, expected[component], miss);
         }
     }
 }
@@ -285,7 +287,7 @@ static const struct {
 static void check_escape(Caller *caller, size_t i)
 {
     static Tuple tuples[CALL_COUNT];
-    static double results[CALL_COUNT][CALL_LANES];
+    static double results[CALL_COUNT][CALL_COMPONENTS];
     Job job;
     MatcOptions options;
     matc_options_init(&options);

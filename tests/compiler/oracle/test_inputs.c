@@ -5,7 +5,7 @@
 #include <math.h>
 #include <stdio.h>
 
-/* A fragment program that shows one input, and the side in its fourth lane. */
+/* A fragment program that shows one input, and the side in its fourth component. */
 static void show_input(char *text, size_t room, bool core, Input input)
 {
     const char *type = type_table[input_table[input].type].name, *name = input_table[input].glsl;
@@ -20,8 +20,9 @@ static void compare_input(const Point *points, Input input, bool front, const fl
 {
     for (int i = 0; i < POINT_COUNT; i++) {
         assert_true(rgba[4 * i + 3] == front);
-        for (int lane = 0; lane < type_table[input_table[input].type].lanes; lane++) {
-            float want = points[i].input[input][lane], got = rgba[4 * i + lane];
+        for (int component = 0; component < type_table[input_table[input].type].components;
+             component++) {
+            float want = points[i].input[input][component], got = rgba[4 * i + component];
             bool flushed = got == 0 && fabsf(want) < WAVE_LEAST;
             if (got != want && !flushed)
                 fail_msg("%s, point %d: %.9g instead of %.9g", input_table[input].glsl, i, got,

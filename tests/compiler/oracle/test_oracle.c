@@ -44,10 +44,14 @@ static void test_constants(void **state)
 {
     (void)state;
     Builder b = {0};
-    expect_constant(&b, build_constant(&b, build_lanes(1, 7, 0, 0, 0)), (double[]){7, 7, 7, 1});
-    expect_constant(&b, build_constant(&b, build_lanes(2, 2, 3, 0, 0)), (double[]){2, 3, 0, 1});
-    expect_constant(&b, build_constant(&b, build_lanes(3, 2, 3, 4, 0)), (double[]){2, 3, 4, 1});
-    expect_constant(&b, build_constant(&b, build_lanes(4, 2, 3, 4, 5)), (double[]){2, 3, 4, 5});
+    expect_constant(&b, build_constant(&b, build_components(1, 7, 0, 0, 0)),
+                    (double[]){7, 7, 7, 1});
+    expect_constant(&b, build_constant(&b, build_components(2, 2, 3, 0, 0)),
+                    (double[]){2, 3, 0, 1});
+    expect_constant(&b, build_constant(&b, build_components(3, 2, 3, 4, 0)),
+                    (double[]){2, 3, 4, 1});
+    expect_constant(&b, build_constant(&b, build_components(4, 2, 3, 4, 5)),
+                    (double[]){2, 3, 4, 5});
     Node *color = build_node(&b, KIND_RGBColor), *gray = build_node(&b, KIND_Graytone);
     build_set(color, P_RGBColor_g, -3);
     expect_constant(&b, color, (double[]){.5, -3, .5, 1});
@@ -65,7 +69,7 @@ static void test_uniform_is_its_default(void **state)
     build_free(&b);
 }
 
-/* Whatever a map does not define is the surface's, in every group and in the lanes without a
+/* Whatever a map does not define is the surface's, in every group and in the components without a
  * name. */
 static void expect_forwarded(const Builder *b, const Node *map, unsigned defined)
 {
@@ -97,7 +101,7 @@ static void test_delegation(void **state)
 static Node *build_checker(Builder *b)
 {
     Node *checker = build_node(b, KIND_Checker),
-         *red = build_constant(b, build_lanes(4, 1, .5, .25, .125));
+         *red = build_constant(b, build_components(4, 1, .5, .25, .125));
     build_link(checker, P_Checker_color1, red);
     return checker;
 }
@@ -218,7 +222,7 @@ static void test_blend_input(void **state)
     build_free(&b);
 }
 
-/* f = 3 x - 2, w = sqr, in every channel; a fourth lane is 1. */
+/* f = 3 x - 2, w = sqr, in every channel; a fourth component is 1. */
 static void test_volume_channels(void **state)
 {
     (void)state;

@@ -40,8 +40,8 @@ static void test_turbulence_uv(void **state)
     Builder b = {0};
     const Node *map = build_node(&b, KIND_Turbulence);
     Surface uv = at_uv(.3, .6), xyz = at_xyz(.3, .6, 0);
-    for (int lane = 0; lane < 3; lane++)
-        expect(&b, map, U + lane, &uv, value_at(&b, map, X + lane, &xyz));
+    for (int component = 0; component < 3; component++)
+        expect(&b, map, U + component, &uv, value_at(&b, map, X + component, &xyz));
     build_free(&b);
 }
 
@@ -102,14 +102,14 @@ static SlotValues slots_at(const Builder *b, const Node *material, const Surface
 
 static void expect1(const SlotValues *values, Slot slot, double want)
 {
-    close_to(values->lane[slot][0], want, 1e-12);
+    close_to(values->component[slot][0], want, 1e-12);
 }
 
 static void expect3(const SlotValues *values, Slot slot, double x, double y, double z)
 {
-    close_to(values->lane[slot][0], x, 1e-12);
-    close_to(values->lane[slot][1], y, 1e-12);
-    close_to(values->lane[slot][2], z, 1e-12);
+    close_to(values->component[slot][0], x, 1e-12);
+    close_to(values->component[slot][1], y, 1e-12);
+    close_to(values->component[slot][2], z, 1e-12);
 }
 
 /* Slots that only a Phong can change. */
@@ -144,9 +144,9 @@ static void test_phong_maps(void **state)
     (void)state;
     Builder b = {0};
     Node *phong = build_node(&b, KIND_Phong);
-    build_link(phong, P_Phong_diffuse, build_constant(&b, build_lanes(4, 2, 3, 4, .25)));
-    build_link(phong, P_Phong_transparency, build_constant(&b, build_lanes(3, 0, .5, 1, 0)));
-    build_link(phong, P_Phong_shininess, build_constant(&b, build_lanes(3, .5, 1, 1, 0)));
+    build_link(phong, P_Phong_diffuse, build_constant(&b, build_components(4, 2, 3, 4, .25)));
+    build_link(phong, P_Phong_transparency, build_constant(&b, build_components(3, 0, .5, 1, 0)));
+    build_link(phong, P_Phong_shininess, build_constant(&b, build_components(3, .5, 1, 1, 0)));
     build_link(phong, P_Phong_transparencyShininess, build_constant(&b, build_number(1)));
     build_link(phong, P_Phong_emissive, build_gradient(&b, 1, 0, 0));
     build_set(phong, P_Phong_interpolatedTransparency, 0);
@@ -168,7 +168,7 @@ static void test_phong_input(void **state)
     (void)state;
     Builder b = {0};
     Node *phong = build_node(&b, KIND_Phong);
-    build_link(phong, P_Phong_input, build_constant(&b, build_lanes(3, 3, 0, 4, 0)));
+    build_link(phong, P_Phong_input, build_constant(&b, build_components(3, 3, 0, 4, 0)));
     /* colour and alpha of the surface: 0 */
     build_link(phong, P_Phong_diffuse, build_node(&b, KIND_UVTransform));
     Surface s = at_uv(0, 0);
@@ -213,7 +213,7 @@ static double red_of(const Builder *b, const Node *material, bool front)
 {
     Surface s = at_uv(0, 0);
     s.front = front;
-    return slots_at(b, material, &s).lane[SLOT_diffuse][0];
+    return slots_at(b, material, &s).component[SLOT_diffuse][0];
 }
 
 static void test_side_switch(void **state)
@@ -246,10 +246,10 @@ static void test_mix(void **state)
     close_to(red_of(&b, mix, true), 128. / 255, 0);
     build_link(mix, P_MixMaterial_a, first);
     build_link(mix, P_MixMaterial_b, second);
-    build_link(mix, P_MixMaterial_mask, build_constant(&b, build_lanes(3, .25, 9, 9, 0)));
-    build_link(first, P_Phong_input, build_constant(&b, build_lanes(3, 3, 0, 0, 0)));
-    build_link(second, P_Phong_input, build_constant(&b, build_lanes(3, 0, 0, 7, 0)));
-    build_link(first, P_Phong_diffuse, build_constant(&b, build_lanes(4, 2, 3, 4, .5)));
+    build_link(mix, P_MixMaterial_mask, build_constant(&b, build_components(3, .25, 9, 9, 0)));
+    build_link(first, P_Phong_input, build_constant(&b, build_components(3, 3, 0, 0, 0)));
+    build_link(second, P_Phong_input, build_constant(&b, build_components(3, 0, 0, 7, 0)));
+    build_link(first, P_Phong_diffuse, build_constant(&b, build_components(4, 2, 3, 4, .5)));
     build_link(second, P_Phong_shininess, build_constant(&b, build_number(1)));
     SlotValues v = slots_at(&b, mix, &s);
     const double size = sqrt(.75 * .75 + .25 * .25);
@@ -269,7 +269,7 @@ static void test_mix(void **state)
     expect1(&v, SLOT_shininess, 4);
     build_link(mix, P_MixMaterial_mask, build_constant(&b, build_number(3)));
     v = slots_at(&b, mix, &s);
-    close_to(v.lane[SLOT_shininess][0], 65504, 1e-9);
+    close_to(v.component[SLOT_shininess][0], 65504, 1e-9);
     build_free(&b);
 }
 
@@ -298,7 +298,7 @@ static void test_sky(void **state)
     expect_plain(&v);
     expect3(&v, SLOT_diffuse, 0, 0, 0);
     expect3(&v, SLOT_transparency, 0, 0, 0);
-    const double *light = v.lane[SLOT_emissive];
+    const double *light = v.component[SLOT_emissive];
     assert_true(light[0] > 0 && light[1] > 0 && light[2] > 0);
     SlotValues w = slots_at(&b, sky, &far);
     expect3(&w, SLOT_emissive, light[0], light[1], light[2]);
@@ -330,9 +330,9 @@ static void test_skies_in_turn(void **state)
         const SlotValues alone = slots_at(&b, sky, &up);
         SlotValues asked, other = slots_at(&b, skies[(i * 3 + 1) % SKIES], &up);
         oracle_material(oracle, sky, &up, &asked);
-        assert_memory_equal(asked.lane[SLOT_emissive], alone.lane[SLOT_emissive],
+        assert_memory_equal(asked.component[SLOT_emissive], alone.component[SLOT_emissive],
                             3 * sizeof(double));
-        assert_memory_not_equal(asked.lane[SLOT_emissive], other.lane[SLOT_emissive],
+        assert_memory_not_equal(asked.component[SLOT_emissive], other.component[SLOT_emissive],
                                 3 * sizeof(double));
     }
     oracle_close(oracle);

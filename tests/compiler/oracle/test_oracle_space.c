@@ -25,8 +25,8 @@ static void test_uv_transform(void **state)
     expect(&b, map, DPYDV, &s, .25);
     build_set(map, P_UVTransform_scaleU, 0);
     expect(&b, map, U, &s, 4);
-    for (int lane = 0; lane < 3; lane++)
-        expect(&b, map, DPXDU + lane, &s, 0);
+    for (int component = 0; component < 3; component++)
+        expect(&b, map, DPXDU + component, &s, 0);
     build_free(&b);
 }
 
@@ -71,7 +71,8 @@ static void test_xyz_transform(void **state)
     (void)state;
     const double p[3] = {1, 2, 4};
     Transform scale = {.kind = TRANSFORM_scale, .scale = build_number(3)};
-    Transform move = {.kind = TRANSFORM_translation, .translation = build_lanes(3, 10, 20, 30, 0)};
+    Transform move = {.kind = TRANSFORM_translation,
+                      .translation = build_components(3, 10, 20, 30, 0)};
     Transform matrix = {.kind = TRANSFORM_matrix,
                         .matrix = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 0, 0, 0, 1}};
     expect_moved(NULL, false, p, p);
@@ -85,10 +86,10 @@ static void test_xyz_transform(void **state)
 static Transform components(double rx, double ry, double rz)
 {
     return (Transform){.kind = TRANSFORM_components,
-                       .scale = build_lanes(3, 1, 1, 1, 0),
-                       .translation = build_lanes(3, 0, 0, 0, 0),
-                       .rotation = build_lanes(3, rx, ry, rz, 0),
-                       .shear = build_lanes(3, 0, 0, 0, 0)};
+                       .scale = build_components(3, 1, 1, 1, 0),
+                       .translation = build_components(3, 0, 0, 0, 0),
+                       .rotation = build_components(3, rx, ry, rz, 0),
+                       .shear = build_components(3, 0, 0, 0, 0)};
 }
 
 static void test_xyz_components(void **state)
@@ -102,9 +103,9 @@ static void test_xyz_components(void **state)
     expect_moved(&y, false, (double[]){1, 2, 3}, (double[]){3, 2, -1});
     expect_moved(&z, false, (double[]){1, 2, 3}, (double[]){-2, 1, 3});
     expect_moved(&yz, false, (double[]){1, 2, 3}, (double[]){-2, 3, -1}); /* about y first */
-    all.translation = build_lanes(3, 1, 2, 3, 0);
-    all.scale = build_lanes(3, 2, 3, 4, 0);
-    all.shear = build_lanes(3, .5, .25, -1, 0);
+    all.translation = build_components(3, 1, 2, 3, 0);
+    all.scale = build_components(3, 2, 3, 4, 0);
+    all.shear = build_components(3, .5, .25, -1, 0);
     /* sheared (3, -2, 4), scaled (6, -6, 16), turned (6, 6, 16) */
     expect_moved(&all, false, (double[]){1, 2, 4}, (double[]){7, 8, 19});
 }

@@ -159,11 +159,11 @@ static void spheremap_round_trip(void **state)
         reference_safeNormalize(NULL, v, n);
         reference_encodeSpheremap(NULL, n, e);
         reference_decodeSpheremap(NULL, e, back);
-        for (int lane = 0; lane < 2; lane++)
-            inside(e[lane], 0, 1);
+        for (int component = 0; component < 2; component++)
+            inside(e[component], 0, 1);
         near(back[0] * back[0] + back[1] * back[1] + back[2] * back[2], 1, 1e-14);
-        for (int lane = 0; lane < 3; lane++)
-            near(back[lane], n[lane], 1e-7);
+        for (int component = 0; component < 3; component++)
+            near(back[component], n[component], 1e-7);
         if (n[2] > -.999)
             near(e[0], n[0] / sqrt(8 * n[2] + 8) + .5, 1e-12);
     }
@@ -181,8 +181,9 @@ static void pictures(void **state)
     static const uint8_t bytes[2 * 2 * 4] = {0,  51, 102, 255, 255, 51, 102, 255,
                                              51, 51, 102, 255, 102, 51, 102, 255};
     static const float floats[4] = {0, 1, .25F, .5F};
-    const ReferenceTexture textures[] = {{.width = 2, .height = 2, .lanes = 4, .bytes = bytes},
-                                         {.width = 2, .height = 2, .lanes = 1, .floats = floats}};
+    const ReferenceTexture textures[] = {
+        {.width = 2, .height = 2, .components = 4, .bytes = bytes},
+        {.width = 2, .height = 2, .components = 1, .floats = floats}};
     const ReferenceContext context = {.textures = textures};
     /* u, v, nearest, bilinear: red of texels (0,0) (1,0) (0,1) (1,1) is 0 1 .2 .4 */
     static const double rows[][4] = {
@@ -269,8 +270,8 @@ static void sky_is_finite(void **state)
                 const double direction[3] = {sample(), sample(),
                                              i % 3 ? fabs(sample()) : 1e-3 * sample()};
                 sky_value((const double(*)[3])rows, direction, rgb);
-                for (int lane = 0; lane < 3; lane++)
-                    inside(rgb[lane], 0, direction[2] < 0 ? 0 : 1e5);
+                for (int component = 0; component < 3; component++)
+                    inside(rgb[component], 0, direction[2] < 0 ? 0 : 1e5);
             }
         }
     sky_coefficients((const double[]){0, 0, 0}, 6, 1, rows);
@@ -301,7 +302,7 @@ static void any_number_may_be_a_count(void **state)
     (void)state;
     static const double counts[] = {670, -5, 0, 31, 64, 2e9, -2e9, 1e300, -1e300};
     static const uint8_t texel[4] = {51, 102, 153, 255};
-    const ReferenceTexture texture = {.width = 1, .height = 1, .lanes = 4, .bytes = texel};
+    const ReferenceTexture texture = {.width = 1, .height = 1, .components = 4, .bytes = texel};
     const ReferenceContext context = {REFERENCE_LATTICE, &texture};
     for (int function = 0; function < FUNCTION_COUNT; function++) {
         const char *letters = function_row(function)->name ? function_arguments(function) : "";
@@ -309,16 +310,17 @@ static void any_number_may_be_a_count(void **state)
             double args[64], result[4] = {0};
             int used = 0;
             for (const char *letter = letters; *letter; letter++)
-                for (int lane = 0; lane < (*letter >= '2' && *letter <= '4' ? *letter - '0' : 1);
-                     lane++)
+                for (int component = 0;
+                     component < (*letter >= '2' && *letter <= '4' ? *letter - '0' : 1);
+                     component++)
                     args[used++] = *letter == 'i' ? counts[i] : *letter == 's' ? 0 : 1;
             reference_of(function)(&context, args, result);
             bool word = function_row(function)->result == TYPE_uint;
-            for (int lane = 0; lane < 4; lane++)
-                if (!isfinite(result[lane]) ||
-                    (word && !(result[lane] >= 0 && result[lane] < 4294967296.)))
+            for (int component = 0; component < 4; component++)
+                if (!isfinite(result[component]) ||
+                    (word && !(result[component] >= 0 && result[component] < 4294967296.)))
                     fail_msg("%s of a count of %g: %g", function_row(function)->name, counts[i],
-                             result[lane]);
+                             result[component]);
         }
     }
 }

@@ -42,8 +42,8 @@ static void groimp_noise(void **state)
         double vector[3];
         reference_lattice3(REFERENCE_GROIMP, rows[i], vector);
         near(value_of(reference_noise, rows[i][0], rows[i][1], rows[i][2]), rows[i][3], PRINTED);
-        for (int lane = 0; lane < 3; lane++)
-            near(vector[lane], rows[i][4 + lane], PRINTED);
+        for (int component = 0; component < 3; component++)
+            near(vector[component], rows[i][4 + component], PRINTED);
     }
 }
 
@@ -83,8 +83,8 @@ static void lattice_statistics(void **state)
             sum += n;
             squares += n * n;
             clamped += fabs(n) >= 1;
-            for (int lane = 0; lane < 3; lane++)
-                products[lane] += 4 * l[lane] * l[(lane + 1) % 3];
+            for (int component = 0; component < 3; component++)
+                products[component] += 4 * l[component] * l[(component + 1) % 3];
             for (int axis = 0; axis < 3; axis++) { /* the mirror image that exchanges two axes */
                 double mirror[3] = {p[0], p[1], p[2]};
                 mirror[axis] = p[(axis + 1) % 3];
@@ -99,10 +99,10 @@ static void lattice_statistics(void **state)
         near(sqrt(squares / SAMPLES), .5, .02);
         near(clamped / SAMPLES, .05, .02);
         near(neighbours / SAMPLES, 0, .02);
-        for (int lane = 0; lane < 3; lane++)
-            near(products[lane] / SAMPLES, 0, .02);
-        for (int lane = 0; lane < 3; lane++)
-            near(swapped[lane] / SAMPLES, 0, .02);
+        for (int component = 0; component < 3; component++)
+            near(products[component] / SAMPLES, 0, .02);
+        for (int component = 0; component < 3; component++)
+            near(swapped[component] / SAMPLES, 0, .02);
     }
 }
 

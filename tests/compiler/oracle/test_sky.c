@@ -101,9 +101,9 @@ static Sky sky_of(Vector sun, double turbidity)
     };
     Sky sky = {.sun = unit(sun), .turbidity = turbidity};
     const double t = turbidity, s = sky.zenith_angle = acos(sky.sun.z);
-    for (int lane = 0; lane < 3; lane++)
+    for (int component = 0; component < 3; component++)
         for (int i = 0; i < 5; i++)
-            sky.perez[lane][i] = perez[lane][i][0] * t + perez[lane][i][1];
+            sky.perez[component][i] = perez[component][i][0] * t + perez[component][i][1];
     sky.zenith[0] = fmax(
         (4.0453 * t - 4.9710) * tan((4. / 9 - t / 120) * (M_PI - 2 * s)) - .2155 * t + 2.4192, 0);
     sky.zenith[1] = t * t * cubic(s, 0, .00208, -.00374, .00165) +
@@ -144,9 +144,10 @@ static Vector radiance(const Sky *sky, Vector view, double *least_y)
     view.z = fmax(view.z, .001);
     view = unit(view);
     const double gamma = acos(fmax(fmin(dot(view, sky->sun), 1), -1));
-    for (int lane = 0; lane < 3; lane++)
-        luminance[lane] = sky->zenith[lane] * perez(sky->perez[lane], view.z, gamma) /
-                          perez(sky->perez[lane], 1, sky->zenith_angle);
+    for (int component = 0; component < 3; component++)
+        luminance[component] = sky->zenith[component] *
+                               perez(sky->perez[component], view.z, gamma) /
+                               perez(sky->perez[component], 1, sky->zenith_angle);
     const double y = fmax(luminance[2], .001), Y = fmax(luminance[0], 0) * 1000 / 683.002;
     if (least_y)
         *least_y = luminance[2];

@@ -59,10 +59,10 @@ static void turn_hulls(const Hull *front, Hull *back)
     for (size_t i = 0; i < POINT_COUNT * sizeof turned / sizeof *turned; i++) {
         const size_t at = i / (sizeof turned / sizeof *turned);
         const Slot slot = turned[i % (sizeof turned / sizeof *turned)];
-        for (int lane = 0; lane < 3; lane++) {
-            back[at].value.lane[slot][lane] = -front[at].value.lane[slot][lane];
-            back[at].low.lane[slot][lane] = -front[at].high.lane[slot][lane];
-            back[at].high.lane[slot][lane] = -front[at].low.lane[slot][lane];
+        for (int component = 0; component < 3; component++) {
+            back[at].value.component[slot][component] = -front[at].value.component[slot][component];
+            back[at].low.component[slot][component] = -front[at].high.component[slot][component];
+            back[at].high.component[slot][component] = -front[at].low.component[slot][component];
         }
     }
 }
@@ -138,10 +138,11 @@ static void name_slot(const Case *c, char *text, size_t room)
              slot_table[c->slot].name, c->changed ? " with other uniforms" : "");
 }
 
-static bool is_sharp(const Hull *hull, const Case *c, int lane)
+static bool is_sharp(const Hull *hull, const Case *c, int component)
 {
-    double width = hull->high.lane[c->slot][lane] - hull->low.lane[c->slot][lane];
-    return 3 * width / fmax(1, fabs(hull->value.lane[c->slot][lane])) + c->bound < SHARP;
+    double width =
+        hull->high.component[c->slot][component] - hull->low.component[c->slot][component];
+    return 3 * width / fmax(1, fabs(hull->value.component[c->slot][component])) + c->bound < SHARP;
 }
 
 /* How far a drawn number lies outside of its hull or, of a few numbers of a bump, outside of what
@@ -149,7 +150,7 @@ static bool is_sharp(const Hull *hull, const Case *c, int lane)
 static double miss_of(const Case *c, const DrawnNumber *drawn, int *excused)
 {
     MatcOptions options = c->subject->document->options;
-    double miss = hull_miss(drawn->hull, c->slot, drawn->lane, drawn->number);
+    double miss = hull_miss(drawn->hull, c->slot, drawn->component, drawn->number);
     const bool is_bump =
         c->slot == SLOT_normal && (c->subjects->has[KIND_BumpMap] || c->subjects->displaced);
     if (miss <= c->bound || !isfinite(drawn->number) || !is_bump || *excused == ROUNDING_NUMBERS)
@@ -160,19 +161,19 @@ static double miss_of(const Case *c, const DrawnNumber *drawn, int *excused)
         miss, rounding_miss(c->subject->document, c->subject->material, &options, drawn, c->bound));
 }
 
-/* The worst lane of all points against the oracle; one fault a draw. */
+/* The worst component of all points against the oracle; one fault a draw. */
 static void compare(Worker *w, const Case *c, bool front, const float *rgba)
 {
     const Hull *hulls =
         way_samples(c->way, c->subjects)
             ? sampled_hulls_of(w, c->subject, front)
             : hulls_of(w, c->subject, way_noise(c->way), way_derivatives(c->way), front);
-    int lanes = type_table[slot_table[c->slot].type].lanes, point = 0, lane = 0, bad = 0, sharp = 0,
-        excused = 0;
+    int components = type_table[slot_table[c->slot].type].components, point = 0, component = 0,
+        bad = 0, sharp = 0, excused = 0;
     double worst = 0;
     for (int i = 0; i < POINT_COUNT; i++) {
         const bool judged = way_judges(c->way, c->subjects, &w->run->points[i]);
-        for (int k = 0; k < lanes; k++) {
+        for (int k = 0; k < components; k++) {
             if (!judged && isfinite(rgba[4 * i + k]))
                 continue;
             const DrawnNumber drawn = {c->slot, k,         &w->run->points[i],
@@ -183,14 +184,14 @@ static void compare(Worker *w, const Case *c, bool front, const float *rgba)
             if (miss > worst) {
                 worst = miss;
                 point = i;
-                lane = k;
+                component = k;
             }
         }
     }
     char name[160], way[64];
     name_slot(c, name, sizeof name);
-    verdicts_record(&w->run->verdicts,
-                    &(Seen){name, worst, POINT_COUNT * lanes, sharp, c->subjects, c->governing});
+    verdicts_record(&w->run->verdicts, &(Seen){name, worst, POINT_COUNT * components, sharp,
+                                               c->subjects, c->governing});
     if (!bad)
         return;
     char at[200];
@@ -199,9 +200,9 @@ static void compare(Worker *w, const Case *c, bool front, const float *rgba)
                    "%s: %d values; worst %.2g, bound %.2g (%s): drawn %.9g, oracle %.9g in [%.9g, "
                    "%.9g] at point %d: %s",
                    way_name(c->way, front, way), bad, worst, c->bound, subject_name(c->governing),
-                   rgba[4 * point + lane], hulls[point].value.lane[c->slot][lane],
-                   hulls[point].low.lane[c->slot][lane], hulls[point].high.lane[c->slot][lane],
-                   point, at);
+                   rgba[4 * point + component], hulls[point].value.component[c->slot][component],
+                   hulls[point].low.component[c->slot][component],
+                   hulls[point].high.component[c->slot][component], point, at);
 }
 
 /* Hash of the text behind its comments, which name the slot and the choices. */
@@ -317,10 +318,11 @@ static void change_uniforms(Document *document)
     for (int i = 0; i < document->graph->uniform_count; i++) {
         const Uniform *u = document->graph->uniforms[i];
         double value[4];
-        for (int lane = 0; lane < 4; lane++)
-            value[lane] = u->initial[lane] > 2 && u->initial[lane] == floor(u->initial[lane])
-                              ? u->initial[lane] + 1
-                              : (float)(u->initial[lane] * 0.625 + 0.0625 * (lane + 1));
+        for (int component = 0; component < 4; component++)
+            value[component] =
+                u->initial[component] > 2 && u->initial[component] == floor(u->initial[component])
+                    ? u->initial[component] + 1
+                    : (float)(u->initial[component] * 0.625 + 0.0625 * (component + 1));
         document_set_uniform(document, i, value);
     }
 }

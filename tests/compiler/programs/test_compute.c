@@ -14,7 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { COUNT = 200, BEYOND = 7, MOST_NUMBERS = 60 * (COUNT + BEYOND), LANES = 3 };
+enum { COUNT = 200, BEYOND = 7, MOST_NUMBERS = 60 * (COUNT + BEYOND), COMPONENTS = 3 };
 static const double position_bound = 4e-6, /* in the world, of positions about 2 in size */
     angle_bound = 1e-3;                    /* degrees: floats, of steep slopes */
 static const float untouched = -77;
@@ -26,7 +26,7 @@ enum { NAMES = sizeof names / sizeof *names };
 
 /* Vertices in the object's space, and what they are in the world. */
 typedef struct {
-    float at[COUNT][LANES * NAMES]; /* by the order of `names` */
+    float at[COUNT][COMPONENTS * NAMES]; /* by the order of `names` */
     Surface surface[COUNT];
     Space space;
 } Mass;
@@ -48,7 +48,7 @@ typedef struct {
 } Task;
 
 typedef struct {
-    float position[COUNT + BEYOND][LANES], normal[COUNT + BEYOND][LANES];
+    float position[COUNT + BEYOND][COMPONENTS], normal[COUNT + BEYOND][COMPONENTS];
 } Result;
 
 /* "displacementTangentU" is tangentU here. */
@@ -99,27 +99,27 @@ static int lay_out(const Mass *mass, const Way *way, Reflection *r, float *numbe
 {
     const cJSON *attribute, *list = cJSON_GetObjectItem(r->compute, "attributes");
     int size = 0, step = 0;
-    cJSON_ArrayForEach(attribute, list) step += LANES;
+    cJSON_ArrayForEach(attribute, list) step += COMPONENTS;
     cJSON_ArrayForEach(attribute, list)
     {
         const char *name = cJSON_GetObjectItem(attribute, "name")->valuestring;
         const int of = number_of(name), count = way->flat && of >= 5 ? 1 : COUNT;
         const uint32_t at[2] = {(uint32_t)size, count == 1      ? 0
-                                                : way->sections ? LANES
+                                                : way->sections ? COMPONENTS
                                                                 : (uint32_t)step};
         for (int i = 0; i < count; i++)
-            memcpy(&numbers[at[0] + at[1] * (uint32_t)i], &mass->at[i][LANES * of],
-                   LANES * sizeof(float));
+            memcpy(&numbers[at[0] + at[1] * (uint32_t)i], &mass->at[i][COMPONENTS * of],
+                   COMPONENTS * sizeof(float));
         put(r, "matc_at_", name, at, sizeof at);
-        size += way->sections ? LANES * count : LANES;
+        size += way->sections ? COMPONENTS * count : COMPONENTS;
     }
     return way->sections ? size : step * COUNT;
 }
 
 static void put_places(const Mass *mass, const Way *way, Reflection *r)
 {
-    const uint32_t count = COUNT, to_position[2] = {0, LANES},
-                   to_normal[2] = {LANES * (COUNT + BEYOND), way->normals ? LANES : 0};
+    const uint32_t count = COUNT, to_position[2] = {0, COMPONENTS},
+                   to_normal[2] = {COMPONENTS * (COUNT + BEYOND), way->normals ? COMPONENTS : 0};
     Mat4 out = mat4_identity();
     float padded[12] = {0};
     if (way->local)
@@ -158,7 +158,7 @@ static void run(Rig *rig, const Task *task, Result *result)
     const int count = lay_out(mass, way, &r, numbers);
     put_places(mass, way, &r);
     for (int i = 0; i < COUNT + BEYOND; i++)
-        for (int k = 0; k < LANES; k++)
+        for (int k = 0; k < COMPONENTS; k++)
             result->position[i][k] = result->normal[i][k] = untouched;
     assert_true(gl_use(gl));
     if (!material_make(rig->store, program,
@@ -209,33 +209,35 @@ static void scatter(Mass *mass)
         const float *const from[] = {v->position, v->normal, v->uv, v->tangentU, v->tangentV};
         mass->surface[i] = vertices->surface[i % VERTICES];
         for (int k = 0; k < 5; k++)
-            memcpy(&mass->at[i][LANES * k], from[k], (k == 2 ? 2 : LANES) * sizeof(float));
-        for (int lane = 0; lane < LANES; lane++) {
-            mass->surface[i].local_u[lane] = v->tangentU[lane];
-            mass->surface[i].local_v[lane] = v->tangentV[lane];
+            memcpy(&mass->at[i][COMPONENTS * k], from[k],
+                   (k == 2 ? 2 : COMPONENTS) * sizeof(float));
+        for (int component = 0; component < COMPONENTS; component++) {
+            mass->surface[i].local_u[component] = v->tangentU[component];
+            mass->surface[i].local_v[component] = v->tangentV[component];
         }
     }
     free(vertices);
 }
 
-static void to_space(const Mass *mass, const Way *way, const float in[LANES], double world[LANES])
+static void to_space(const Mass *mass, const Way *way, const float in[COMPONENTS],
+                     double world[COMPONENTS])
 {
-    double given[LANES] = {in[0], in[1], in[2]}, to[4];
+    double given[COMPONENTS] = {in[0], in[1], in[2]}, to[4];
     const Mat4 place = way->local ? mass->space.world_from_local : mat4_identity();
     space_transform(&place, given, 1, to);
-    memcpy(world, to, LANES * sizeof *world);
+    memcpy(world, to, COMPONENTS * sizeof *world);
 }
 
 /* A normal that was written, in the world again: by the inverse transpose of the matrix, up to its
  * length. */
-static void normal_to_world(const Mass *mass, const Way *way, const float in[LANES],
-                            double world[LANES])
+static void normal_to_world(const Mass *mass, const Way *way, const float in[COMPONENTS],
+                            double world[COMPONENTS])
 {
     Mat4 local;
     assert_true(mat4_inverse(&mass->space.world_from_local, &local));
-    for (int i = 0; i < LANES; i++) {
+    for (int i = 0; i < COMPONENTS; i++) {
         world[i] = way->local ? 0 : in[i];
-        for (int k = 0; k < LANES && way->local; k++)
+        for (int k = 0; k < COMPONENTS && way->local; k++)
             world[i] += (double)local.m[4 * i + k] * in[k];
     }
 }
@@ -293,7 +295,7 @@ static void check_material(Rig *rig, const MatcDocument *document, const Mass *m
         for (int i = 0; i < COUNT; i++)
             check_vertex(mass, &ways[w], &result, i, wanted);
         for (int i = 0; i < COUNT + BEYOND; i++)
-            for (int k = 0; k < LANES; k++)
+            for (int k = 0; k < COMPONENTS; k++)
                 assert_true((result.position[i][k] == untouched) == (i >= COUNT) &&
                             (result.normal[i][k] == untouched) == (i >= COUNT || !ways[w].normals));
     }
@@ -348,8 +350,8 @@ static void from_body(CurvedBody body, Mass *mass)
                                       s->tangent_slopes[0][1],
                                       s->tangent_slopes[1][1]};
         for (int k = 0; k < NAMES; k++)
-            for (int lane = 0; lane < LANES; lane++)
-                mass->at[i][LANES * k + lane] = (float)from[k][lane];
+            for (int component = 0; component < COMPONENTS; component++)
+                mass->at[i][COMPONENTS * k + component] = (float)from[k][component];
     }
 }
 
@@ -370,7 +372,7 @@ static double off_body(Rig *rig, CurvedBody body, Carried by)
     MatcDocument *document = open_text("curved.yaml", text);
     from_body(body, &mass);
     for (int i = 0; i < COUNT && way.flat; i++)
-        memset(&mass.at[i][LANES * 5], 0, 5 * LANES * sizeof(float));
+        memset(&mass.at[i][COMPONENTS * 5], 0, 5 * COMPONENTS * sizeof(float));
     run(rig, &(Task){document, 0, &mass, &way}, &result);
     for (int i = 0; i < COUNT; i++) {
         double want[3], is[3] = {result.normal[i][0], result.normal[i][1], result.normal[i][2]};

@@ -52,23 +52,24 @@ static void compare_hit(const View *view, int i, const Hit *hit, Errors *errors)
     Surface surface = space_surface(&view->space, hit, view->mesh);
     SlotValues want = values_at(view->scene, &surface);
     double normal[4], size = fmax(1, fmax(fabs(hit->u), fabs(hit->v))) / fabs(hit->slope);
-    stored_normal(view->scene, &view->space, want.lane[SLOT_normal], normal);
+    stored_normal(view->scene, &view->space, want.component[SLOT_normal], normal);
     bool border = at_border(hit->u, 1e-6 * size) || at_border(hit->v, 1e-6 * size);
-    bool fine = note(apart(s->slot[SLOT_specular][i], want.lane[SLOT_specular]) / size,
+    bool fine = note(apart(s->slot[SLOT_specular][i], want.component[SLOT_specular]) / size,
                      &errors->slots) < 1e-6;
-    fine &= note(apart(s->slot[SLOT_transparency][i], want.lane[SLOT_transparency]) / size,
+    fine &= note(apart(s->slot[SLOT_transparency][i], want.component[SLOT_transparency]) / size,
                  &errors->slots) < 1e-6;
     fine &=
         note(apart(s->slot[SLOT_normal][i], normal) * least_code(normal), &errors->normal) < 2e-6;
     fine &= note(fabs(s->z[i] - space_depth(&view->space, hit->position)), &errors->depth) < 1e-5;
-    fine &= border || apart(s->slot[SLOT_diffuse][i], want.lane[SLOT_diffuse]) == 0;
+    fine &= border || apart(s->slot[SLOT_diffuse][i], want.component[SLOT_diffuse]) == 0;
     if (!fine)
         fail_msg("pixel %d, %d, u %.7g, v %.7g, slope %.3g: specular %.9g, not %.9g; diffuse %g, "
                  "not %g; depth %.9g; "
                  "worst errors so far: slots %.2g, normal %.2g, depth %.2g",
                  i % SIDE, i / SIDE, hit->u, hit->v, hit->slope, s->slot[SLOT_specular][i][0],
-                 want.lane[SLOT_specular][0], s->slot[SLOT_diffuse][i][0],
-                 want.lane[SLOT_diffuse][0], s->z[i], errors->slots, errors->normal, errors->depth);
+                 want.component[SLOT_specular][0], s->slot[SLOT_diffuse][i][0],
+                 want.component[SLOT_diffuse][0], s->z[i], errors->slots, errors->normal,
+                 errors->depth);
 }
 
 static double beyond(const Hit *hit) { return fmax(fabs(hit->u - 0.5), fabs(hit->v - 0.5)) - 0.5; }
@@ -178,8 +179,8 @@ static void compare_vertices(const PlacedVertices *placed, const char *text,
         unpack(rig, &scene, &rig->full);
     for (int i = 0; i < VERTICES; i++) {
         SlotValues values = values_at(&scene, &vertices->surface[i]);
-        double normal[4], *want = stored ? normal : values.lane[slot];
-        stored_normal(&scene, space, values.lane[slot], normal);
+        double normal[4], *want = stored ? normal : values.component[slot];
+        stored_normal(&scene, space, values.component[slot], normal);
         const float *drawn = (stored ? rig->slot[SLOT_normal] : rig->color[0])[vertices->pixel[i]];
         if (!(note(apart(drawn, want), &worst) < 2e-6))
             fail_msg("%s: %s: %.9g, not %.9g", options->target, slot_table[slot].name, drawn[0],
@@ -248,9 +249,9 @@ static void compare_sky(Rig *rig, Scene *scene, const Space *space, double bound
         if (at_border(6 * u, 6e-5) || at_border(5 * v, 5 * 4e-4) || fabs(ray[2]) < 1e-5)
             continue;
         SlotValues values = values_at(scene, &s);
-        double *want = values.lane[SLOT_diffuse];
-        for (int lane = 0; lane < 3; lane++)
-            want[lane] += values.lane[SLOT_emissive][lane];
+        double *want = values.component[SLOT_diffuse];
+        for (int component = 0; component < 3; component++)
+            want[component] += values.component[SLOT_emissive][component];
         const float *drawn = rig->color[0][i];
         if (!(note(apart(drawn, want) / fmax(1, want[1]), worst) < bound) || drawn[3] != 1)
             fail_msg("ray (%.7g, %.7g, %.7g): red %.7g, alpha %.7g, not %.7g, 1", ray[0], ray[1],
@@ -287,11 +288,11 @@ static void a_sky_is_all_around(void **state)
 /* how a slot is kept: to a half float, to seven bits; a pixel */
 enum { HALF, PAIR, MIDDLE = (SIDE + 1) * SIDE / 2 };
 
-static void compare_slot(const Rig *s, const SlotValues *values, Slot slot, int lane, int how)
+static void compare_slot(const Rig *s, const SlotValues *values, Slot slot, int component, int how)
 {
-    double value = values->lane[slot][lane], greatest = how == PAIR ? 1 : 65504,
+    double value = values->component[slot][component], greatest = how == PAIR ? 1 : 65504,
            least = how == PAIR ? 0 : -greatest;
-    double want = fmin(fmax(value, least), greatest), got = s->slot[slot][MIDDLE][lane];
+    double want = fmin(fmax(value, least), greatest), got = s->slot[slot][MIDDLE][component];
     double bound = how == PAIR ? 1 / 127.5 + 1e-6 : half_step(want) + 3e-6 * fabs(want);
     if (!(fabs(got - want) <= bound))
         fail_msg("%s: %.9g comes back as %.9g", slot_table[slot].name, value, got);
@@ -310,16 +311,16 @@ static void compare_round_trip(Rig *rig, Scene *scene, const float direction[3],
     surface_set3(&s, GROUP_N, (double[3]){normal[0], normal[1], normal[2]});
     s.front = normal[2] > 0;
     SlotValues values = values_at(scene, &s);
-    assert_true(note(angle(rig->slot[SLOT_normal][MIDDLE], values.lane[SLOT_normal]), worst) <
+    assert_true(note(angle(rig->slot[SLOT_normal][MIDDLE], values.component[SLOT_normal]), worst) <
                 0.22);
     compare_slot(rig, &values, SLOT_shininess, 0, HALF);
     compare_slot(rig, &values, SLOT_transparencyShininess, 0, HALF);
-    for (int lane = 0; lane < 3; lane++) {
-        compare_slot(rig, &values, SLOT_diffuse, lane, HALF);
-        compare_slot(rig, &values, SLOT_specular, lane, HALF);
-        compare_slot(rig, &values, SLOT_transparency, lane, HALF);
-        compare_slot(rig, &values, SLOT_emissive, lane, PAIR);
-        compare_slot(rig, &values, SLOT_diffuseTransparency, lane, PAIR);
+    for (int component = 0; component < 3; component++) {
+        compare_slot(rig, &values, SLOT_diffuse, component, HALF);
+        compare_slot(rig, &values, SLOT_specular, component, HALF);
+        compare_slot(rig, &values, SLOT_transparency, component, HALF);
+        compare_slot(rig, &values, SLOT_emissive, component, PAIR);
+        compare_slot(rig, &values, SLOT_diffuseTransparency, component, PAIR);
     }
 }
 

@@ -12,7 +12,7 @@ static void find_holes(const Scene *scene, bool holes[8][8])
         oracle_surface_default(&s);
         surface_set3(&s, GROUP_U, (double[3]){(i % 8 + 0.5) / 8, (i / 8 + 0.5) / 8, 0});
         SlotValues values = values_at(scene, &s);
-        const double *t = values.lane[SLOT_transparency];
+        const double *t = values.component[SLOT_transparency];
         holes[i / 8][i % 8] = (t[0] + t[1] + t[2]) / 3 > 0.5;
     }
 }

@@ -62,9 +62,9 @@ static void close_drawn(Drawn *d)
     matc_document_free(d->document);
 }
 
-static void set_uniform(Drawn *d, const char *name, int lanes, const float *values)
+static void set_uniform(Drawn *d, const char *name, int components, const float *values)
 {
-    if (!material_set(&d->material, &(MaterialValue){name, lanes, values}))
+    if (!material_set(&d->material, &(MaterialValue){name, components, values}))
         fail_msg("no uniform is called %s", name);
 }
 

@@ -50,22 +50,23 @@ static void make_points(Point points[POINT_COUNT])
         float *n = points[i].input[INPUT_eyeN];
         if (n[0] == 0 && n[1] == 0 && n[2] == 0)
             n[2] = 1; /* the listing has no guard */
-        for (int lane = 0; lane < 2; lane++)
-            if (fabsf(points[i].input[INPUT_U][lane]) >
+        for (int component = 0; component < 2; component++)
+            if (fabsf(points[i].input[INPUT_U][component]) >
                 64) /* beyond, the listing's sum of two floors loses its last bit */
-                points[i].input[INPUT_U][lane] = fmodf(points[i].input[INPUT_U][lane], 64);
+                points[i].input[INPUT_U][component] =
+                    fmodf(points[i].input[INPUT_U][component], 64);
     }
 }
 
-/* Both lanes of the encoded normal in double precision, as the listing means it. */
+/* Both components of the encoded normal in double precision, as the listing means it. */
 static void encode(const Point *point, bool front, double code[2])
 {
     const float *n = point->input[INPUT_eyeN];
     double length =
         (front ? 1 : -1) * sqrt((double)n[0] * n[0] + (double)n[1] * n[1] + (double)n[2] * n[2]);
     double f = sqrt(8 * (n[2] / length) + 8);
-    for (int lane = 0; lane < 2; lane++)
-        code[lane] = n[lane] / length / f + 0.5;
+    for (int component = 0; component < 2; component++)
+        code[component] = n[component] / length / f + 0.5;
 }
 
 static double eye_z(const Point *point, bool front)
@@ -77,23 +78,24 @@ static double eye_z(const Point *point, bool front)
 
 static const double FLOAT_ERROR = 2e-7; /* of a sum with 1/2, below which a code near 0 may lie */
 
-/* The normal's lanes: both round a number that they compute in their own ways, so the halves may be
- * neighbours; a driver may cut as well as round. Near z = -1
- * the listing divides two small numbers that have lost their digits; matc does not. */
+/* The normal's components: both round a number that they compute in their own ways, so the halves
+ * may be neighbours; a driver may cut as well as round. Near z = -1 the listing divides two small
+ * numbers that have lost their digits; matc does not. */
 static void compare_normal(const Point *point, bool front, const float *theirs, const float *ours,
                            int *neighbours)
 {
     double truth[2];
     encode(point, front, truth);
-    for (int lane = 0; lane < 2; lane++) {
-        double step = half_step(truth[lane]) + FLOAT_ERROR;
-        if (fabs(ours[lane] - truth[lane]) > step)
+    for (int component = 0; component < 2; component++) {
+        double step = half_step(truth[component]) + FLOAT_ERROR;
+        if (fabs(ours[component] - truth[component]) > step)
             fail_msg("n.z %.9g: matc writes %.9g, the normal's code is %.9g", eye_z(point, front),
-                     ours[lane], truth[lane]);
-        if (eye_z(point, front) > -0.999 && fabs((double)ours[lane] - theirs[lane]) > step)
-            fail_msg("n.z %.9g: matc writes %.9g, the thesis %.9g", eye_z(point, front), ours[lane],
-                     theirs[lane]);
-        *neighbours += ours[lane] != theirs[lane];
+                     ours[component], truth[component]);
+        if (eye_z(point, front) > -0.999 &&
+            fabs((double)ours[component] - theirs[component]) > step)
+            fail_msg("n.z %.9g: matc writes %.9g, the thesis %.9g", eye_z(point, front),
+                     ours[component], theirs[component]);
+        *neighbours += ours[component] != theirs[component];
     }
 }
 
@@ -103,12 +105,12 @@ static void compare(const Point *points, bool front, const Gbuffer *theirs, cons
     for (int i = 0; i < POINT_COUNT; i++) {
         compare_normal(&points[i], front, &theirs->texels[0][4 * i], &ours->texels[0][4 * i],
                        &neighbours);
-        for (int lane = 2; lane < 4 * TARGETS; lane++) {
-            float their = theirs->texels[lane / 4][4 * i + lane % 4],
-                  our = ours->texels[lane / 4][4 * i + lane % 4];
+        for (int component = 2; component < 4 * TARGETS; component++) {
+            float their = theirs->texels[component / 4][4 * i + component % 4],
+                  our = ours->texels[component / 4][4 * i + component % 4];
             if (memcmp(&their, &our, sizeof our) != 0)
                 fail_msg("target %d, lane %d, u %.9g, v %.9g: the thesis writes %.9g, matc %.9g",
-                         lane / 4, lane % 4, points[i].input[INPUT_U][0],
+                         component / 4, component % 4, points[i].input[INPUT_U][0],
                          points[i].input[INPUT_U][1], their, our);
             assert_true(half_is_plain(our));
         }

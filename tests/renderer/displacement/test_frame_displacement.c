@@ -210,10 +210,10 @@ static int judge_slopes(const Scene *scene, const Risen *risen, const float *nor
         if (hit.object < 0 || !is_plain(&tracer, i % WIDTH, i / WIDTH, &hit))
             continue;
         double shown[3];
-        for (int lane = 0; lane < 3; lane++) /* from eye space */
-            shown[lane] = normals[4 * i] * scene->camera.right[lane] +
-                          normals[4 * i + 1] * scene->camera.up[lane] +
-                          normals[4 * i + 2] * scene->camera.back[lane];
+        for (int component = 0; component < 3; component++) /* from eye space */
+            shown[component] = normals[4 * i] * scene->camera.right[component] +
+                               normals[4 * i + 1] * scene->camera.up[component] +
+                               normals[4 * i + 2] * scene->camera.back[component];
         for (int stay = 0; stay < 2; stay++) {
             double want[3];
             want_normal(risen, hit.local, stay, want);

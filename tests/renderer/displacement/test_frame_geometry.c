@@ -120,13 +120,14 @@ static void symbols_stand_around_points(void **state)
         const Shape *shape = shape_of(scenes[1]);
         for (int first = 0; first < shape->vertex_count; first += 3 * symbols[i].triangles) {
             float low[3], high[3], middle[3];
-            for (int lane = 0; lane < 3; lane++) {
-                low[lane] = INFINITY, high[lane] = -INFINITY;
+            for (int component = 0; component < 3; component++) {
+                low[component] = INFINITY, high[component] = -INFINITY;
                 for (int k = first; k < first + 3 * symbols[i].triangles; k++) {
-                    low[lane] = fminf(low[lane], shape->vertices[k].position[lane]);
-                    high[lane] = fmaxf(high[lane], shape->vertices[k].position[lane]);
+                    low[component] = fminf(low[component], shape->vertices[k].position[component]);
+                    high[component] =
+                        fmaxf(high[component], shape->vertices[k].position[component]);
                 }
-                middle[lane] = (low[lane] + high[lane]) / 2;
+                middle[component] = (low[component] + high[component]) / 2;
             }
             most = fmax(most, displaced_nearest(grid, middle, shape->base[first]));
         }
@@ -202,9 +203,9 @@ static void points_spread_into_gaps(void **state)
         2 * 3 * 16 * 2);
     const Shape *shape = shape_of(scene);
     for (int i = 0; i < shape->vertex_count; i += 6)
-        for (int lane = 0; lane < 2; lane++) {
+        for (int component = 0; component < 2; component++) {
             /* steps of 1/2, in sixths */
-            const double sixths = 3 * ((double)shape->base[i][lane] + 0) * 4;
+            const double sixths = 3 * ((double)shape->base[i][component] + 0) * 4;
             assert_true(fabs(sixths - rint(sixths)) < 1e-4);
             for (int k = 0; k < i; k += 6)
                 assert_true(memcmp(shape->base[i], shape->base[k], sizeof shape->base[i]) != 0);

@@ -80,8 +80,9 @@ static void compare(const Surface *k, const Coordinates *c, const char *object)
     float *read = draw(text, k->slot, "auto"), *truth = draw(text, k->slot, "none");
     for (int i = 0; i < WIDTH * HEIGHT; i++) {
         double apart = 0;
-        for (int lane = 0; lane < 3 && truth[4 * i + 3] > 0; lane++)
-            apart = fmax(apart, fabs((double)read[4 * i + lane] - (double)truth[4 * i + lane]));
+        for (int component = 0; component < 3 && truth[4 * i + 3] > 0; component++)
+            apart = fmax(apart,
+                         fabs((double)read[4 * i + component] - (double)truth[4 * i + component]));
         seen += truth[4 * i + 3] > 0;
         off += apart > bound;
         greatest = fmax(greatest, apart);

@@ -195,8 +195,9 @@ static void judge_normals(const float *normal, const float *wanted, Judged *judg
 {
     for (int k = 0; k < PIXELS; k++) {
         double off = 0;
-        for (int lane = 0; lane < 3; lane++)
-            off = fmax(off, fabs((double)normal[4 * k + lane] - (double)wanted[4 * k + lane]));
+        for (int component = 0; component < 3; component++)
+            off = fmax(off,
+                       fabs((double)normal[4 * k + component] - (double)wanted[4 * k + component]));
         if (normal[4 * k + 3] > 0 && wanted[4 * k + 3] > 0)
             judged->off[judged->count++] = off;
     }

@@ -22,7 +22,7 @@ typedef struct {
     "lights: [{ light: Point, position: [1, -4, 4], color: [1, .8, .6], intensity: 12 }]\n"
 #define MATT "{ material: Phong, diffuse: [.8, .6, .4] }"
 /* Colours that the layout holds exactly, here and in all pictures: it has 16 bits for a diffuse
- * lane, 10 for others. */
+ * component, 10 for others. */
 #define GLOSSY                                                                                     \
     "{ material: Phong, diffuse: [.2, .4, .6], specular: [0.3333333333333333, "                    \
     "0.6666666666666666, 1] }"
@@ -174,7 +174,7 @@ static void every_way(void **state)
     const MatcOptions options = frame_exact_options();
     MatcDocument *document;
     Scene *scene = frame_scene(pictures[4].text, &options, &document);
-    const size_t lanes = (size_t)scene->width * (size_t)scene->height * 4;
+    const size_t components = (size_t)scene->width * (size_t)scene->height * 4;
     GlContext *gl = frame_context();
     float *compute =
         frame_floats(gl, scene, &(RendererOptions){.compile = &options, .view = "light"});
@@ -183,12 +183,12 @@ static void every_way(void **state)
     gl->ClipControl = NULL;
     float *old = frame_floats(gl, scene, &(RendererOptions){.compile = &options, .view = "light"});
     size_t apart = 0;
-    for (size_t i = 0; i < lanes; i++) {
+    for (size_t i = 0; i < components; i++) {
         assert_true(fabsf(compute[i] - fragment[i]) <= 1e-6f * fabsf(compute[i]) + 1e-7f);
         /* depth is within 6e-8, of 0.0015 at a distance of 6.5 */
         apart += fabsf(compute[i] - old[i]) > 2e-3f;
     }
-    assert_true(apart < lanes / 1000);
+    assert_true(apart < components / 1000);
     free(compute);
     free(fragment);
     free(old);

@@ -199,7 +199,7 @@ static void nothing_stands_there(void **state)
 {
     (void)state;
     static const char *const ways[] = {"hybrid", "screen, bounces: 3"};
-    enum { EDGE = 8, LANES = 4 };
+    enum { EDGE = 8, COMPONENTS = 4 };
     const MatcOptions options = frame_exact_options();
     GlContext *gl = frame_context();
     for (size_t i = 0; i < sizeof ways / sizeof *ways; i++) {
@@ -214,8 +214,8 @@ static void nothing_stands_there(void **state)
         Scene *scene = frame_scene(scene_text, &options, &document);
         float *rgba =
             frame_floats(gl, scene, &(RendererOptions){.compile = &options, .view = "light"});
-        for (int k = 0; k < LANES * EDGE * EDGE; k++)
-            assert_true(k % LANES == 3 || rgba[k] == 0);
+        for (int k = 0; k < COMPONENTS * EDGE * EDGE; k++)
+            assert_true(k % COMPONENTS == 3 || rgba[k] == 0);
         free(rgba);
         frame_forget(scene, document);
     }

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { WIDTH = 96, HEIGHT = 64, LANES = WIDTH * HEIGHT * 4 };
+enum { WIDTH = 96, HEIGHT = 64, COMPONENTS = WIDTH * HEIGHT * 4 };
 
 /* Matt and glossy solids, a pane before them, a plane to the horizon. */
 static const char scene_text[] =
@@ -72,7 +72,7 @@ static void draw(const Scene *scene, const MatcOptions *options, int number, int
 static void pictures_are_the_same(void **state)
 {
     (void)state;
-    static float shared[LANES], separate[LANES], fragments[LANES];
+    static float shared[COMPONENTS], separate[COMPONENTS], fragments[COMPONENTS];
     for (int i = 0; i < CASES; i++) {
         char text[sizeof scene_text + sizeof pane_text];
         MatcDocument *document;
@@ -98,7 +98,7 @@ static void views_stay(void **state)
 {
     (void)state;
     static const char *const views[] = {"light", "depth", "diffuse"};
-    static float shared[LANES];
+    static float shared[COMPONENTS];
     for (size_t i = 0; i < sizeof views / sizeof *views; i++) {
         MatcDocument *document;
         MatcOptions options;

@@ -41,8 +41,9 @@ static Difference compare(const float *a, const float *b, int pixels)
     Difference d = {.pixels = pixels};
     for (int i = 0; i < pixels; i++) {
         double most = 0;
-        for (int lane = 0; lane < 3; lane++)
-            most = fmax(most, 255 * fabs((double)a[4 * i + lane] - (double)b[4 * i + lane]));
+        for (int component = 0; component < 3; component++)
+            most =
+                fmax(most, 255 * fabs((double)a[4 * i + component] - (double)b[4 * i + component]));
         d.off += most > 1.001;
         d.most = fmax(d.most, most);
     }

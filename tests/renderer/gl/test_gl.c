@@ -160,9 +160,10 @@ static void faults_are_reported(void **state)
     assert_int_equal(none.name, 0);
     assert_int_equal(
         texture_make(
-            gl, &(TextureSpec){.width = 2, .height = 2, .lanes = 3, .bytes = (uint8_t[12]){0}}),
+            gl,
+            &(TextureSpec){.width = 2, .height = 2, .components = 3, .bytes = (uint8_t[12]){0}}),
         0);
-    assert_int_equal(texture_make(gl, &(TextureSpec){.width = 2, .height = 2, .lanes = 4}), 0);
+    assert_int_equal(texture_make(gl, &(TextureSpec){.width = 2, .height = 2, .components = 4}), 0);
     assert_true(gl_check(gl, "refusing"));
     gl_close(gl);
 }

@@ -40,19 +40,21 @@ static void textures_keep_their_numbers(void **state)
     const float floats[3] = {-2, 0.1f, 1e6f};
     const uint8_t bytes[2 * 4] = {0, 51, 102, 255, 255, 204, 153, 0};
     float found[4];
-    look_up(gl, &(TextureSpec){.width = 3, .height = 1, .lanes = 1, .floats = floats},
+    look_up(gl, &(TextureSpec){.width = 3, .height = 1, .components = 1, .floats = floats},
             (float[]){5, 0.5f}, found);
     assert_true(found[0] == 1e6f); /* clamped */
-    look_up(
-        gl,
-        &(TextureSpec){.width = 3, .height = 1, .lanes = 1, .floats = floats, .wrap = GL_REPEAT},
-        (float[]){4.1f, 0.5f}, found);
+    look_up(gl,
+            &(TextureSpec){
+                .width = 3, .height = 1, .components = 1, .floats = floats, .wrap = GL_REPEAT},
+            (float[]){4.1f, 0.5f}, found);
     assert_true(found[0] == -2); /* repeated */
-    look_up(gl, &(TextureSpec){.width = 1, .height = 2, .lanes = 4, .bytes = bytes},
+    look_up(gl, &(TextureSpec){.width = 1, .height = 2, .components = 4, .bytes = bytes},
             (float[]){0.5f, 0.25f}, found);
     assert_float_equal(found[1], 0.2, 1e-6); /* row 0 is the bottom */
-    look_up(gl, &(TextureSpec){.width = 1, .height = 2, .lanes = 4, .bytes = bytes, .linear = true},
-            (float[]){0.5f, 0.5f}, found);
+    look_up(
+        gl,
+        &(TextureSpec){.width = 1, .height = 2, .components = 4, .bytes = bytes, .linear = true},
+        (float[]){0.5f, 0.5f}, found);
     assert_float_equal(found[0], 0.5, 1e-2); /* the middle between */
     gl_close(gl);
 }
@@ -80,7 +82,7 @@ static void every_code_of_srgb_is_decoded(void **state)
         program_make(gl, &(ProgramText){.vertex = {languages[1].vertex}, .fragment = {fragment}});
     GLuint texture = texture_make(gl, &(TextureSpec){.width = CODES,
                                                      .height = 1,
-                                                     .lanes = 4,
+                                                     .components = 4,
                                                      .bytes = texels,
                                                      .format = texture_format("SRGB8_ALPHA8")});
     assert_true(program && texture);
@@ -93,8 +95,9 @@ static void every_code_of_srgb_is_decoded(void **state)
     for (int code = 0; code < CODES; code++) {
         const double v = code / 255.,
                      linear = v <= 0.04045 ? v / 12.92 : pow((v + 0.055) / 1.055, 2.4);
-        for (int lane = 0; lane < 4; lane++) {
-            const double off = fabs((double)rgba[4 * code + lane] - (lane == 3 ? v : linear));
+        for (int component = 0; component < 4; component++) {
+            const double off =
+                fabs((double)rgba[4 * code + component] - (component == 3 ? v : linear));
             at = off > worst ? code : at;
             worst = fmax(worst, off);
         }
@@ -126,7 +129,7 @@ static double contrast(GlContext *gl, int anisotropy)
         program_make(gl, &(ProgramText){.vertex = {languages[1].vertex}, .fragment = {fragment}});
     GLuint texture = texture_make(gl, &(TextureSpec){.width = SIDE,
                                                      .height = SIDE,
-                                                     .lanes = 1,
+                                                     .components = 1,
                                                      .bytes = texels,
                                                      .wrap = GL_REPEAT,
                                                      .mipmaps = true,

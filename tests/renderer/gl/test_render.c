@@ -105,8 +105,8 @@ static void assert_draws(Fixture *f, Material *material, float red, float green,
 {
     float rgba[4], want[3] = {red, green, blue};
     draw(f, material, rgba);
-    for (int lane = 0; lane < 3; lane++)
-        if (!(fabsf(rgba[lane] - want[lane]) < 1e-6f))
+    for (int component = 0; component < 3; component++)
+        if (!(fabsf(rgba[component] - want[component]) < 1e-6f))
             fail_msg("(%g, %g, %g), not (%g, %g, %g)", rgba[0], rgba[1], rgba[2], red, green, blue);
 }
 
@@ -345,7 +345,7 @@ static void faults_leave_nothing(void **state)
     Reader reader;
     const char *const formats[] = {"RGBA8", "RGBA5"};
     const FramebufferSpec two = {.width = 4, .height = 4, .color_count = 2};
-    const TextureSpec wrong = {.width = 2, .height = 2, .lanes = 3, .bytes = (uint8_t[12]){0}};
+    const TextureSpec wrong = {.width = 2, .height = 2, .components = 3, .bytes = (uint8_t[12]){0}};
     ProgramText text = {.vertex = {core_version, screen_text}, .fragment = {core_version, "wrong"}};
     assert_false(material_make(f.store, NULL, &text, &material));
     assert_int_equal(strncmp(f.gl->error, "fragment: ", 10), 0);
@@ -373,17 +373,19 @@ static void a_store_takes_all_with_it(void **state)
     (void)state;
     Fixture f = open_fixture(true);
     const uint8_t texel[4] = {1, 2, 3, 4};
-    const StoreItem *texture =
-        store_texture(f.store, &(TextureSpec){.width = 1, .height = 1, .lanes = 4, .bytes = texel});
+    const StoreItem *texture = store_texture(
+        f.store, &(TextureSpec){.width = 1, .height = 1, .components = 4, .bytes = texel});
     assert_non_null(texture);
     assert_ptr_equal(
-        store_texture(f.store, &(TextureSpec){.width = 1, .height = 1, .lanes = 4, .bytes = texel}),
+        store_texture(f.store,
+                      &(TextureSpec){.width = 1, .height = 1, .components = 4, .bytes = texel}),
         texture);
-    assert_ptr_not_equal(
-        store_texture(
-            f.store,
-            &(TextureSpec){.width = 1, .height = 1, .lanes = 4, .bytes = texel, .linear = true}),
-        texture);
+    assert_ptr_not_equal(store_texture(f.store, &(TextureSpec){.width = 1,
+                                                               .height = 1,
+                                                               .components = 4,
+                                                               .bytes = texel,
+                                                               .linear = true}),
+                         texture);
     assert_int_equal(store_texture_count(f.store), 2);
     store_free(f.store);
     assert_true(gl_check(f.gl, "leaving a store"));

@@ -5,8 +5,8 @@
 #include "tests/frame/frame_voxels.h"
 #include <stdlib.h>
 
-/* Goes along a pixel's ray in small steps: the lane of the first full voxel, or -1. */
-static int lane_seen(const FrameVoxelsDrawn *d, int pixel, int width, int height)
+/* Goes along a pixel's ray in small steps: the component of the first full voxel, or -1. */
+static int component_seen(const FrameVoxelsDrawn *d, int pixel, int width, int height)
 {
     const SceneCamera *camera = &d->scene->camera;
     const VoxelGrid *grid = &d->renderer->voxels->grid;
@@ -32,7 +32,7 @@ static int lane_seen(const FrameVoxelsDrawn *d, int pixel, int width, int height
     return -1;
 }
 
-static int lane_shown(const float rgba[4])
+static int component_shown(const float rgba[4])
 {
     if (rgba[3] == 0)
         return -1;
@@ -49,12 +49,12 @@ static void the_view_has_the_nearest_voxel(void **state)
     FrameVoxelsDrawn d = frame_voxels_drawn(FRAME_VOXELS_BODIES FRAME_VOXELS_SHEETS, 64);
     float *rgba = malloc(sizeof *rgba * 4 * PIXELS);
     int shown = 0, wrong = 0;
-    assert_int_equal(renderer_lanes(d.renderer), 4);
+    assert_int_equal(renderer_components(d.renderer), 4);
     assert_true(renderer_frame(d.renderer) && renderer_read(d.renderer, rgba));
     for (int i = 0; i < PIXELS; i += 3) {
-        const int lane = lane_seen(&d, i, WIDTH, HEIGHT);
-        shown += lane >= 0;
-        wrong += lane != lane_shown(rgba + 4 * i);
+        const int component = component_seen(&d, i, WIDTH, HEIGHT);
+        shown += component >= 0;
+        wrong += component != component_shown(rgba + 4 * i);
     }
     print_message("%d pixels show voxels, %d others than small steps meet\n", shown, wrong);
     assert_true(shown > PIXELS / 12 && wrong <= 3);

@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { WIDTH = 92, HEIGHT = 70, LANES = 4 * WIDTH * HEIGHT, TEXT = 2048 };
+enum { WIDTH = 92, HEIGHT = 70, COMPONENTS = 4 * WIDTH * HEIGHT, TEXT = 2048 };
 
 static const char body[] =
     "image: { width: 92, height: 70 }\ncamera: { camera: Perspective, position: [.4, -4, 1.8], "
@@ -56,27 +56,28 @@ static void move(FrameRunning *rig, Change change)
 static double difference(const float *a, const float *b)
 {
     double most = 0;
-    for (int i = 0; i < LANES; i++)
+    for (int i = 0; i < COMPONENTS; i++)
         most = fmax(most, fabs((double)a[i] - (double)b[i]));
     return most;
 }
 
-/* Root of the mean square: of the first lane, ambient occlusion; of three, light, over its mean. */
-static double off_by(const float *a, const float *b, int lanes)
+/* Root of the mean square: of the first component, ambient occlusion; of three, light, over its
+ * mean. */
+static double off_by(const float *a, const float *b, int components)
 {
     double sum = 0, mean = 0;
-    for (int i = 0; i < LANES; i++)
-        if (i % 4 < lanes) {
-            sum +=
-                ((double)a[i] - (double)b[i]) * ((double)a[i] - (double)b[i]) / (LANES / 4 * lanes);
-            mean += (double)b[i] / (LANES / 4 * lanes);
+    for (int i = 0; i < COMPONENTS; i++)
+        if (i % 4 < components) {
+            sum += ((double)a[i] - (double)b[i]) * ((double)a[i] - (double)b[i]) /
+                   (COMPONENTS / 4 * components);
+            mean += (double)b[i] / (COMPONENTS / 4 * components);
         }
-    return sqrt(sum) / (lanes == 1 ? 1 : mean);
+    return sqrt(sum) / (components == 1 ? 1 : mean);
 }
 
 static void read(FrameRunning *rig, float *rgba)
 {
-    memcpy(rgba, frame_running_draw(rig), LANES * sizeof *rgba);
+    memcpy(rgba, frame_running_draw(rig), COMPONENTS * sizeof *rgba);
 }
 
 static void coarse_while_it_moves_then_fine(void **state)
@@ -88,7 +89,7 @@ static void coarse_while_it_moves_then_fine(void **state)
         double
             /* at most, root of the mean square of what coarser frames differ by: of ambient
              * occlusion; light by few rays is bounded by its noise alone */
-                off;
+            off;
         double exact; /* passes of means over one pixel round */
     } cases[] = {{"rays: 16, radius: 1", "", "resolution: quarter", "open", false, .05, 0},
                  {"rays: 16, radius: 1", "", "resolution: half", "open", false, .025, 0},
@@ -96,7 +97,7 @@ static void coarse_while_it_moves_then_fine(void **state)
                   "indirect", false, 9, 0},
                  {"rays: 8, method: screen, filter: none", "", "resolution: half", "indirect", true,
                   9, 1e-6}};
-    static float now[LANES], want[LANES], fine[LANES];
+    static float now[COMPONENTS], want[COMPONENTS], fine[COMPONENTS];
     GlContext *gl = frame_context();
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         char keys[3][TEXT / 8];
@@ -108,14 +109,14 @@ static void coarse_while_it_moves_then_fine(void **state)
         FrameRunning rigs[3];
         for (int k = 0; k < 3; k++)
             rigs[k] = open_rig(gl, keys[k], cases[i].view, cases[i].fragment);
-        const int lanes = strcmp(cases[i].view, "open") ? 3 : 1;
+        const int components = strcmp(cases[i].view, "open") ? 3 : 1;
         for (int change = -1; change < CHANGES; change++) {
             for (int k = 0; k < 3 && change >= 0; k++)
                 move(&rigs[k], (Change)change);
             read(&rigs[0], now);
             read(&rigs[1], want);
             read(&rigs[2], fine);
-            const double off = off_by(now, fine, lanes);
+            const double off = off_by(now, fine, components);
             if (change >= 0)
                 print_message("%s, change %d: the coarser frame is %.3f off the finer\n", keys[0],
                               change, off);
@@ -135,7 +136,7 @@ static void coarse_while_it_moves_then_fine(void **state)
 static void samples_begin_when_it_stands_still(void **state)
 {
     (void)state;
-    static float now[LANES], want[LANES];
+    static float now[COMPONENTS], want[COMPONENTS];
     GlContext *gl = frame_context();
     FrameRunning moving = open_rig(gl, "rays: 8, samples: 4, moving: quarter", "indirect", false),
                  still = open_rig(gl, "rays: 8, samples: 4", "indirect", false),

@@ -127,9 +127,9 @@ static void a_lamp(void **state)
               "{ translation: [-.5, .2, 1] } }\n",
         (OpenRays){.across = 64, .radius = INFINITY, .bounces = 1}, true);
     assert_true(fabs(open.open - (1 - share)) < 3e-3);
-    static const double lanes[3] = {.8, .4, .2};
+    static const double components[3] = {.8, .4, .2};
     for (int i = 0; i < 3; i++)
-        assert_true(fabs(open.light[i] - lanes[i] * share) < 3e-3 * lanes[i] + 1e-9);
+        assert_true(fabs(open.light[i] - components[i] * share) < 3e-3 * components[i] + 1e-9);
 }
 
 /* A floor of diffuse 0.5 below a ceiling of the same that shines with 1: from above come 1, and of

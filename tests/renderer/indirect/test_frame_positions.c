@@ -53,16 +53,16 @@ static void go_around(SceneCamera *camera, bool up, double degrees)
 /* Whether the picture has a point: where, in pixels; and nothing is before it. */
 static bool is_known(const Tracer *tracer, const SceneCamera *camera, const Hit *hit)
 {
-    double way[3], lanes[3] = {0}, from[3];
+    double way[3], components[3] = {0}, from[3];
     const double *const axes[3] = {camera->right, camera->up, camera->back};
     for (int k = 0; k < 3; k++)
         way[k] = hit->world[k] - camera->position[k];
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < 3; k++)
-            lanes[i] += axes[i][k] * way[k];
+            components[i] += axes[i][k] * way[k];
     const bool flat = camera->kind == SCENE_Orthographic;
-    const double scale = HEIGHT / (2 * camera->half * (flat ? 1 : -lanes[2]));
-    const double x = lanes[0] * scale + WIDTH / 2., y = lanes[1] * scale + HEIGHT / 2.;
+    const double scale = HEIGHT / (2 * camera->half * (flat ? 1 : -components[2]));
+    const double x = components[0] * scale + WIDTH / 2., y = components[1] * scale + HEIGHT / 2.;
     for (int k = 0; k < 3; k++) {
         way[k] = flat ? -9 * camera->back[k] : way[k];
         from[k] = hit->world[k] - (flat ? way[k] : 0);

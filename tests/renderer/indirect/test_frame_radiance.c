@@ -11,25 +11,25 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { EDGE = 64, PIXELS = EDGE * EDGE, TEXT = 4096, LANES = 4 };
+enum { EDGE = 64, PIXELS = EDGE * EDGE, TEXT = 4096, COMPONENTS = 4 };
 #define IMAGE "image: { width: 64, height: 64 }\n"
 
 /* Maximum of red, green and blue. */
 static double brightest(const float *rgba)
 {
     double most = 0;
-    for (int i = 0; i < LANES * PIXELS; i++)
-        if (i % LANES < 3) {
+    for (int i = 0; i < COMPONENTS * PIXELS; i++)
+        if (i % COMPONENTS < 3) {
             assert_true(isfinite(rgba[i]));
             most = fmax(most, rgba[i]);
         }
     return most;
 }
 
-static double mean_of(const float *rgba, int lane)
+static double mean_of(const float *rgba, int component)
 {
     double sum = 0;
-    for (int i = lane; i < LANES * PIXELS; i += LANES)
+    for (int i = component; i < COMPONENTS * PIXELS; i += COMPONENTS)
         sum += rgba[i] / PIXELS;
     return sum;
 }
@@ -175,7 +175,7 @@ static Off off_by(GlContext *gl, const char *text, bool light, OpenRays rays)
             rays.state = (uint64_t)(y * EDGE + x);
             const Open open = open_ray(&tracer, &hit, &rays, light ? &options : NULL);
             for (int k = 0; k < (light ? 3 : 1); k++, off.count++) {
-                const double is = rgba[LANES * (y * EDGE + x) + k],
+                const double is = rgba[COMPONENTS * (y * EDGE + x) + k],
                              truth = light ? open.light[k] : open.open;
                 off.mean += truth;
                 off.is += is;
@@ -363,10 +363,10 @@ static void glass_halves_what_is_behind_it(void **state)
             gl, scene, &(RendererOptions){.compile = &options, .view = "light", .deep = true});
         frame_forget(scene, document);
     }
-    for (int i = 0; i < LANES * PIXELS; i++) {
-        const int x = i / LANES % EDGE, y = i / LANES / EDGE;
+    for (int i = 0; i < COMPONENTS * PIXELS; i++) {
+        const int x = i / COMPONENTS % EDGE, y = i / COMPONENTS / EDGE;
         /* the wall */
-        if (i % LANES < 3 && abs(x - EDGE / 2) < MIDDLE && abs(y - EDGE / 2) < MIDDLE) {
+        if (i % COMPONENTS < 3 && abs(x - EDGE / 2) < MIDDLE && abs(y - EDGE / 2) < MIDDLE) {
             most = fmax(most, fabs(rgba[1][i] / (.5 * rgba[0][i]) - 1));
             lit = fmin(lit, rgba[0][i]);
         }
@@ -384,9 +384,10 @@ static void glass_halves_what_is_behind_it(void **state)
 static void assert_as_new(GlContext *gl, Renderer *renderer, const Scene *scene,
                           const RendererOptions *options)
 {
-    float *as_new = frame_floats(gl, scene, options), *rgba = malloc(sizeof *rgba * LANES * PIXELS);
+    float *as_new = frame_floats(gl, scene, options),
+          *rgba = malloc(sizeof *rgba * COMPONENTS * PIXELS);
     assert_true(renderer_frame(renderer) && renderer_read(renderer, rgba));
-    assert_memory_equal(as_new, rgba, sizeof *rgba * LANES * PIXELS);
+    assert_memory_equal(as_new, rgba, sizeof *rgba * COMPONENTS * PIXELS);
     free(rgba);
     free(as_new);
 }
@@ -418,8 +419,8 @@ static void what_changes_is_as_new(void **state)
     scene->lights[0].position[0] -= .7;
     assert_true(renderer_changed(renderer, RENDERER_LIGHTS));
     assert_as_new(gl, renderer, scene, &how);
-    float *before = malloc(sizeof *before * LANES * PIXELS),
-          *rgba = malloc(sizeof *rgba * LANES * PIXELS);
+    float *before = malloc(sizeof *before * COMPONENTS * PIXELS),
+          *rgba = malloc(sizeof *rgba * COMPONENTS * PIXELS);
     assert_true(before && rgba && renderer_read(renderer, before));
     scene->time = 2;
     assert_true(renderer_changed(renderer, RENDERER_TIME));

@@ -44,9 +44,9 @@ static float *draw(GlContext *gl, Renderer *renderer, int times, const char *key
           *mean = calloc(4 * EDGE * EDGE, sizeof *mean);
     assert_true(mean && scene->width == EDGE * times && scene->height == EDGE * times);
     for (int i = 0; i < 4 * EDGE * times * EDGE * times; i++) {
-        const int lane = i % 4, x = i / 4 % (EDGE * times) / times,
+        const int component = i % 4, x = i / 4 % (EDGE * times) / times,
                   y = i / 4 / (EDGE * times) / times;
-        mean[4 * (y * EDGE + x) + lane] += rgba[i] / (float)(times * times);
+        mean[4 * (y * EDGE + x) + component] += rgba[i] / (float)(times * times);
     }
     free(rgba);
     frame_forget(scene, document);

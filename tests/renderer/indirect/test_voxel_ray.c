@@ -1,7 +1,7 @@
 /* Rays through slice maps: voxelRay against the walk through single voxels, bit for bit, and both
  * against a walk in double. Grids at random and hostile ones; rays along axes, faces and edges,
- * from outside, of any length, with lanes that are 0 or no numbers. Prints the bricks that a ray
- * reads. */
+ * from outside, of any length, with components that are 0 or no numbers. Prints the bricks that a
+ * ray reads. */
 /* ctest: seconds=12 */
 #include "tests/test.h"
 #include "gen/render_text.h"
@@ -13,7 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { WIDE = 64, HIGH = 64, RAYS = WIDE * HIGH, LEVELS = 10, LANES = 4 };
+enum { WIDE = 64, HIGH = 64, RAYS = WIDE * HIGH, LEVELS = 10, COMPONENTS = 4 };
 
 /* Hit of a ray: t, or -1; the voxel, in two floats; bricks that were read. */
 static const char head[] =
@@ -152,8 +152,8 @@ static Map make_map(const GlContext *gl, const VoxelWords *words)
     gl->TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     gl->TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     gl->TexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RGBA32UI, words->size, words->size,
-                   (words->size / 32 + LANES - 1) / LANES, 0, GL_RGBA_INTEGER, GL_UNSIGNED_INT,
-                   texels);
+                   (words->size / 32 + COMPONENTS - 1) / COMPONENTS, 0, GL_RGBA_INTEGER,
+                   GL_UNSIGNED_INT, texels);
     make_bricks(gl, words, &map);
     free(texels);
     return map;
@@ -181,17 +181,18 @@ static void random_ray(int size, bool outside, Ray ray)
     ray[0][3] = (float)(size * (random_unit() < .5 ? .25 : 4) / sqrt(length));
 }
 
-/* Along axes, faces and edges; from corners; with lanes of 0 or nearly; lengths and lanes that no
- * ray has. */
+/* Along axes, faces and edges; from corners; with components of 0 or nearly; lengths and components
+ * that no ray has. */
 static void hostile_ray(int number, int size, Ray ray)
 {
-    static const float lanes[] = {0, -0.f, 1e-30f, -1e-30f, 1e-42f, 1, -1, 1, -1, .5f, 1e-4f, 3};
+    static const float components[] = {0,  -0.f, 1e-30f, -1e-30f, 1e-42f, 1,
+                                       -1, 1,    -1,     .5f,     1e-4f,  3};
     static const float never[] = {INFINITY, -INFINITY, NAN, 3e38f, -3e38f, 1e30f};
     random_ray(size, number % 4 == 3, ray);
     for (int k = 0; k < 3; k++) {
         const int corner = (int)(random_unit() * (size + 1));
         if (number % 8 < 5)
-            ray[1][k] = lanes[(int)(random_unit() * (sizeof lanes / sizeof *lanes))];
+            ray[1][k] = components[(int)(random_unit() * (sizeof components / sizeof *components))];
         if (number % 3)
             ray[0][k] = (float)corner + (number % 3 == 2 && random_unit() < .5 ? .5f : 0);
         ray[1][k] *= number % 11 == 4 ? 1e25f : number % 11 == 5 ? 1e-25f : 1;
@@ -218,7 +219,7 @@ static void run(GlContext *gl, int size, const char *text, const char *body, flo
     const FramebufferSpec spec = {
         .width = WIDE, .height = HIGH, .color_count = 1, .color_format = GL_RGBA32F};
     const TextureSpec texture = {
-        .width = 2 * WIDE, .height = HIGH, .lanes = 4, .floats = rays[0][0]};
+        .width = 2 * WIDE, .height = HIGH, .components = 4, .floats = rays[0][0]};
     const ScreenPassText made = {
         .body = {render_text_voxel_map, text, head, body}, .format = "RGBA32F", .compute = compute};
     gl->ActiveTexture(GL_TEXTURE0);
@@ -282,7 +283,8 @@ static bool is_plain(const Ray ray)
     return length > 1 / most && ray[0][3] >= 0;
 }
 
-/* With a lane that is no number, or infinite, no ray meets anything; a far end may be infinite. */
+/* With a component that is no number, or infinite, no ray meets anything; a far end may be
+ * infinite. */
 static bool is_none(const Ray ray)
 {
     bool none = isnan(ray[0][3]);

@@ -108,7 +108,7 @@ static void random_case(double exponent, CaseTexels t)
 static void run(GlContext *gl, const CaseTexels *cases, bool compute, float (*reported)[4])
 {
     const TextureSpec texture = {
-        .width = WIDE * TEXELS, .height = HIGH, .lanes = 4, .floats = cases[0][0]};
+        .width = WIDE * TEXELS, .height = HIGH, .components = 4, .floats = cases[0][0]};
     const ScreenPassText text = {
         .body = {render_text_light_area, body}, .format = "RGBA32F", .compute = compute};
     frame_cases(gl, &text, &texture, (const int[]){WIDE, HIGH}, reported[0]);
@@ -221,20 +221,21 @@ static void stable(void **state)
         random_case(exponents[i % 6], t);
         const float scale = (float)pow(10, 30 * random_unit() - 15), s = (float)(i / 6 % 3),
                     half = .5f;
-        for (int lane = 0; lane < 3; lane++) {
+        for (int component = 0; component < 3; component++) {
             if (i % 4 == 0) /* on a corner, an edge, or in the middle */
-                t[0][lane] = -half * s * t[1][lane] - (i % 3 ? half : 0) * t[2][lane];
+                t[0][component] =
+                    -half * s * t[1][component] - (i % 3 ? half : 0) * t[2][component];
             if (i % 4 == 1) /* the lobe lies in the horizon, along the light's plane */
-                t[4][lane] = t[1][lane];
+                t[4][component] = t[1][component];
             for (int k = 0; k < 3; k++)
-                t[k][lane] *= scale;
+                t[k][component] *= scale;
         }
         if (i % 5 == 0) { /* the normal is the light's, or its opposite, but for rounding */
             double face[3];
             const AreaCase c = case_of((const float(*)[4])t);
             area_cross(c.u, c.v, face);
-            for (int lane = 0; lane < 3; lane++)
-                face[lane] *= i % 10 ? 1 / (double)scale / scale : -1 / (double)scale / scale;
+            for (int component = 0; component < 3; component++)
+                face[component] *= i % 10 ? 1 / (double)scale / scale : -1 / (double)scale / scale;
             area_normalize(face);
             put(face, t[3]);
         }

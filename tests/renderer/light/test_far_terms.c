@@ -200,7 +200,7 @@ static void put_case(const Case *c, float t[IN][4])
 static void run(GlContext *gl, float (*in)[IN][4], float (*out)[OUT][4])
 {
     const TextureSpec texture = {
-        .width = ACROSS * IN, .height = HIGH, .lanes = 4, .floats = in[0][0]};
+        .width = ACROSS * IN, .height = HIGH, .components = 4, .floats = in[0][0]};
     const ScreenPassText text = {.body = {head, render_text_far_terms, render_text_far_blocks,
                                           render_text_far_group, render_text_far_lobe, body},
                                  .format = "RGBA32F",

@@ -226,7 +226,7 @@ static const FrameLamps far_cases[] = {
      "Point", 400, .3, 1.2, 5, 60, 1},
 };
 
-/* The greatest lane of so many pixels. */
+/* The greatest component of so many pixels. */
 static double greatest_of(const float *rgba, int pixels)
 {
     double greatest = 1e-12;
@@ -243,17 +243,17 @@ static double half_off(double all, double bounded)
     return fabs(bounded - all) / (.5 * ldexp(1, exponent - 11));
 }
 
-/* A pixel's lane as it is shown; `whole` is the picture's greatest: the tone mapping Linear makes 1
- * of it. */
-static double shown(const Scene *scene, const float *pixel, int lane, double whole)
+/* A pixel's component as it is shown; `whole` is the picture's greatest: the tone mapping Linear
+ * makes 1 of it. */
+static double shown(const Scene *scene, const float *pixel, int component, double whole)
 {
     const double greatest =
         scene->tone == SCENE_Linear ? whole : scene->exposure * greatest_of(pixel, 1);
     return frame_lamps_encoded(
-        frame_lamps_mapped(scene->tone, scene->exposure * pixel[lane], greatest));
+        frame_lamps_mapped(scene->tone, scene->exposure * pixel[component], greatest));
 }
 
-/* The most that a pixel is off, in half steps; *apart: how many lanes are. */
+/* The most that a pixel is off, in half steps; *apart: how many components are. */
 static double most_off(const Scene *scene, bool linear, float *const pictures[2], int *apart)
 {
     const float *all = pictures[0], *bounded = pictures[1];
@@ -262,18 +262,18 @@ static double most_off(const Scene *scene, bool linear, float *const pictures[2]
     double most = 0;
     *apart = 0;
     for (int i = 0; i < 4 * pixels; i++) {
-        const int first = i / 4 * 4, lane = i % 4;
+        const int first = i / 4 * 4, component = i % 4;
         assert_true(isfinite(bounded[i]));
         *apart += bounded[i] != all[i];
         most = fmax(most, linear ? half_off(all[i], bounded[i])
-                                 : fabs(shown(scene, bounded + first, lane, whole[1]) -
-                                        shown(scene, all + first, lane, whole[0])) /
+                                 : fabs(shown(scene, bounded + first, component, whole[1]) -
+                                        shown(scene, all + first, component, whole[0])) /
                                        half_step);
     }
     return most;
 }
 
-/* Scenes made to attack the bound: no lane of any pixel is further off than it says. */
+/* Scenes made to attack the bound: no component of any pixel is further off than it says. */
 static void far_lights_are_within_the_bound(void **state)
 {
     (void)state;

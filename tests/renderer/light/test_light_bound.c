@@ -13,8 +13,8 @@ typedef struct {
     double slope, start;
 } Line;
 
-/* By how much a lane y, as it is mapped, may be off: the lesser of two lines; for light that is off
- * by r times itself and a. */
+/* By how much a component y, as it is mapped, may be off: the lesser of two lines; for light that
+ * is off by r times itself and a. */
 typedef struct {
     SceneKind tone;
     Line lines[2]; /* in r and a */
@@ -54,16 +54,16 @@ static void encoded_is_within_half_a_step(void **state)
     }
 }
 
-/* A lane, and the greatest one beside it, off to either side. */
+/* A component, and the greatest one beside it, off to either side. */
 static void expect_mapped(const Off *off, const double budget[2], double x, double greatest)
 {
     const double y = frame_lamps_mapped(off->tone, x, greatest),
                  most = most_off(off, y) * (1 + 1e-9) + 1e-15;
     for (int signs = 0; signs < 4; signs++) {
         const double a = signs & 1 ? 1 : -1, b = x < greatest ? (signs & 2 ? 1 : -1) : a;
-        const double lane = fmax(x + a * (budget[0] * x + budget[1]), 0);
+        const double component = fmax(x + a * (budget[0] * x + budget[1]), 0);
         const double beside = fmax(greatest + b * (budget[0] * greatest + budget[1]), 1e-12);
-        if (fabs(frame_lamps_mapped(off->tone, lane, fmax(beside, lane)) - y) > most)
+        if (fabs(frame_lamps_mapped(off->tone, component, fmax(beside, component)) - y) > most)
             fail_msg("%s: %g of %g", scene_kind_table[off->tone].name, x, greatest);
     }
 }

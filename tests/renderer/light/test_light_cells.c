@@ -366,25 +366,26 @@ static void add_ambient(const LitReference *lit, double sum[3])
     double parts[LIT_PARTS][3];
     lit_reference_albedos(lit, parts);
     for (int i = 0; i < 3; i++) {
-        const double albedo = lit->slots.lane[SLOT_model][0] > .5
+        const double albedo = lit->slots.component[SLOT_model][0] > .5
                                   ? parts[LIT_EVEN][i] + parts[LIT_GLOSS][i] + parts[LIT_COAT][i] +
                                         parts[LIT_BEHIND][i]
-                                  : lit->slots.lane[SLOT_ambient][i];
+                                  : lit->slots.component[SLOT_ambient][i];
         sum[i] += 1.5 * front[i] * albedo;
     }
 }
 
 /* Formulas of scene.def: diffuse and ambient slots by the normal, specular ones by a horizon. */
-static double hemisphere_matt(double z, int lane)
+static double hemisphere_matt(double z, int component)
 {
     const double ground[3] = {.2, .3, .5};
-    return 1.5 * (ground[lane] + (front[lane] - ground[lane]) * (1 + z) / 2);
+    return 1.5 * (ground[component] + (front[component] - ground[component]) * (1 + z) / 2);
 }
 
-static double hemisphere_mirrored(double z, int lane)
+static double hemisphere_mirrored(double z, int component)
 {
     const double ground[3] = {.2, .3, .5}, s = fmin(fmax((z + .3) / .8, 0), 1);
-    return 1.5 * (.6 * ground[lane] + (front[lane] - .6 * ground[lane]) * s * s * (3 - 2 * s));
+    return 1.5 * (.6 * ground[component] +
+                  (front[component] - .6 * ground[component]) * s * s * (3 - 2 * s));
 }
 
 static void add_hemisphere(const LitReference *lit, double sum[3])
@@ -394,7 +395,7 @@ static void add_hemisphere(const LitReference *lit, double sum[3])
                  of_coat = 2 * dot(n, eye) * n[2] - eye[2];
     lit_reference_albedos(lit, parts);
     for (int i = 0; i < 3; i++) {
-        const double even = parts[LIT_EVEN][i] + lit->slots.lane[SLOT_ambient][i];
+        const double even = parts[LIT_EVEN][i] + lit->slots.component[SLOT_ambient][i];
         sum[i] += even * hemisphere_matt(z, i) + parts[LIT_BEHIND][i] * hemisphere_matt(-z, i);
         sum[i] += parts[LIT_GLOSS][i] * hemisphere_mirrored(lit->mirrored[2], i);
         sum[i] += parts[LIT_COAT][i] * hemisphere_mirrored(of_coat, i);
@@ -533,9 +534,9 @@ static void rows_change_their_slot(void **state)
         patch_pixel(patch, point);
         patch_slots(rig, &scene->materials[scene->objects[object++].material], point, &slots);
         lit_reference_open(&slots, eye, &rig->lit[patch]);
-        for (int lane = 0; lane < 4; lane++)
-            apart += fabs(slots.lane[row->slot][lane] -
-                          rig->lit[patch - patch % 2].slots.lane[row->slot][lane]);
+        for (int component = 0; component < 4; component++)
+            apart += fabs(slots.component[row->slot][component] -
+                          rig->lit[patch - patch % 2].slots.component[row->slot][component]);
         if (patch % 2 && apart < .01)
             fail_msg("%s: '%s' does not change it", slot_table[row->slot].name, row->changed);
     }

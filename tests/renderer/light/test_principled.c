@@ -133,7 +133,7 @@ typedef struct {
     double base, tint, metal, rough, reflectance;
 } Case;
 
-/* The lobe as it is defined, of one lane, by integrals. */
+/* The lobe as it is defined, of one component, by integrals. */
 static double lobe_of(const Case *c, double cosine, double l, double turn)
 {
     const double a = c->rough * c->rough, vx = sqrt(1 - cosine * cosine), lx = sqrt(1 - l * l);
@@ -175,11 +175,11 @@ static void lobes_are_microfacets(void **state)
         const double base[3] = {varied(i, .618), varied(i, .382), .9},
                      tint[3] = {1, varied(i, .271), .8};
         const double turn = 3.14159 + (.5 - varied(i, .91)) * rough_of(i / SIDE);
-        for (int lane = 0; lane < 3; lane++) {
-            const Case c = {base[lane], tint[lane], varied(i, .733), rough_of(i / SIDE),
+        for (int component = 0; component < 3; component++) {
+            const Case c = {base[component], tint[component], varied(i, .733), rough_of(i / SIDE),
                             .3 * varied(i, .137)};
             const double want = lobe_of(&c, cosine_of(i % SIDE), .05 + .9 * varied(i, .5701), turn);
-            worst = fmax(worst, fabs(reported[i][lane] - want) / (.25 + want));
+            worst = fmax(worst, fabs(reported[i][component] - want) / (.25 + want));
         }
     }
     gl_close(gl);

@@ -192,7 +192,7 @@ static void what_does_not_count_is_not_seen(void **state)
     static const struct {
         const char *text, *slot;
         double want[3];
-        int lanes;
+        int components;
     } rows[] = {
         {"material: Principled\nroughness: 1e20\ncoat: 1\n", "roughness", {1}, 1},
         {"material: Layer\nbase: { material: Principled, roughness: 1e20 }\n", "roughness", {1}, 1},
@@ -209,7 +209,7 @@ static void what_does_not_count_is_not_seen(void **state)
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         char *values = values_at(rows[i].text, "u=0.3 v=0.4", NULL);
-        expect_slot(values, rows[i].slot, rows[i].want, rows[i].lanes);
+        expect_slot(values, rows[i].slot, rows[i].want, rows[i].components);
         free(values);
     }
 }

@@ -173,11 +173,11 @@ static void base_is_its_definition(void **state)
     for (int i = 0; i < SIDE * SIDE; i += 7) {
         const double rough = varied(i, .382), cosines[2] = {light_cosine(i), cosine_of(i % SIDE)},
                      color[3] = {varied(i, .618), 1, varied(i, .733)}, most = varied(i, .29);
-        for (int lane = 0; lane < 3; lane++) {
+        for (int component = 0; component < 3; component++) {
             const Grained of = {
                 rough, {cosines[0], cosines[1]}, 2 * LOBE_PI * varied(i, .91), all_arrives, NULL};
-            const double want = lobe_of(&of, color[lane]);
-            worst[0] = fmax(worst[0], fabs((double)reported[i][lane] - want) / (.25 + want));
+            const double want = lobe_of(&of, color[component]);
+            worst[0] = fmax(worst[0], fabs((double)reported[i][component] - want) / (.25 + want));
         }
         worst[1] = fmax(worst[1], fabs((double)reported[i][3] - 1 +
                                        once_from(rough, cosines[1], less_that_grazes, &most)));
@@ -221,8 +221,8 @@ static void lobes_are_below_facets(void **state)
         double mean = 0;
         for (int k = 0; k < ANGLES; k++)
             mean += between_facets(numbers, sqrt((k + .5) / ANGLES)) / ANGLES;
-        for (int lane = 0; lane < 3; lane++) {
-            const double tone = base * (lane == 0 ? 1 : lane == 1 ? .5 : .9);
+        for (int component = 0; component < 3; component++) {
+            const double tone = base * (component == 0 ? 1 : component == 1 ? .5 : .9);
             const Grained of = {varied(i, .382),
                                 {cosines[0], cosines[1]},
                                 2 * LOBE_PI * varied(i, .91),
@@ -231,7 +231,7 @@ static void lobes_are_below_facets(void **state)
             const double lobe = lobe_of(&of, tone);
             const double want = cosines[0] * between_facets(numbers, cosines[0]) *
                                 between_facets(numbers, cosines[1]) / mean * lobe;
-            worst = fmax(worst, fabs((double)reported[i][lane] - want) / (.25 + want));
+            worst = fmax(worst, fabs((double)reported[i][component] - want) / (.25 + want));
         }
     }
     print_message("below facets: within %.4f\n", worst);

@@ -76,26 +76,26 @@ static double airy(double a, double b, double phase)
     return creal(sum) * creal(sum) + cimag(sum) * cimag(sum);
 }
 
-static void film_of(double path, double n, double cosine, double base, double lanes[3])
+static void film_of(double path, double n, double cosine, double base, double components[3])
 {
     const double index = (1 + sqrt(base)) / (1 - sqrt(base)), sine2 = 1 - cosine * cosine;
     const double inner = sqrt(1 - sine2 / (n * n)), deep = sqrt(1 - sine2 / (index * index));
     double white[3] = {0}, one[3];
-    lanes[0] = lanes[1] = lanes[2] = 0;
+    components[0] = components[1] = components[2] = 0;
     for (int nm = OBSERVER_FIRST; nm <= OBSERVER_LAST; nm++) {
         const double phase = 2 * LOBE_PI * path * inner / (nm * 1e-3);
         const double s = airy((cosine - n * inner) / (cosine + n * inner),
                               (n * inner - index * deep) / (n * inner + index * deep), phase);
         const double p = airy((n * cosine - inner) / (n * cosine + inner),
                               (index * inner - n * deep) / (index * inner + n * deep), phase);
-        observer_lanes(nm, one);
-        for (int lane = 0; lane < 3; lane++) {
-            lanes[lane] += one[lane] * .5 * (s + p);
-            white[lane] += one[lane];
+        observer_components(nm, one);
+        for (int component = 0; component < 3; component++) {
+            components[component] += one[component] * .5 * (s + p);
+            white[component] += one[component];
         }
     }
-    for (int lane = 0; lane < 3; lane++)
-        lanes[lane] = fmin(fmax(lanes[lane] / white[lane], 0), 1);
+    for (int component = 0; component < 3; component++)
+        components[component] = fmin(fmax(components[component] / white[component], 0), 1);
 }
 
 static void films_are_sums_over_wavelengths(void **state)
@@ -110,8 +110,8 @@ static void films_are_sums_over_wavelengths(void **state)
         double want[3];
         film_of(5 * varied(i, .618), 1.1 + 1.2 * varied(i, .382), cosine_of(i % SIDE),
                 varied(i, .733) * varied(i, .733), want);
-        for (int lane = 0; lane < 3; lane++) {
-            const double error = fabs((double)reported[i][lane] - want[lane]);
+        for (int component = 0; component < 3; component++) {
+            const double error = fabs((double)reported[i][component] - want[component]);
             worst = fmax(worst, error);
             squares += error * error / (3 * SIDE * SIDE);
         }
@@ -123,13 +123,13 @@ static void films_are_sums_over_wavelengths(void **state)
 /* Airy's sum in closed form: F sin^2 / (1 + F sin^2) of half the phase between the sides, F = 4 R /
  * (1 - R)^2, R what one side reflects by Fresnel's formulas, of both polarisations, by wavelengths
  * as an observer weighs them. */
-static void airy_of(double thickness, double cosine, double lanes[3])
+static void airy_of(double thickness, double cosine, double components[3])
 {
     const double n = 1.33, inner = sqrt(1 - (1 - cosine * cosine) / (n * n));
     const double r[2] = {(cosine - n * inner) / (cosine + n * inner),
                          (n * cosine - inner) / (n * cosine + inner)};
     double white[3] = {0}, one[3];
-    lanes[0] = lanes[1] = lanes[2] = 0;
+    components[0] = components[1] = components[2] = 0;
     for (int nm = OBSERVER_FIRST; nm <= OBSERVER_LAST; nm++) {
         const double half = sin(2 * LOBE_PI * n * thickness * inner / (nm * 1e-3)),
                      sine2 = half * half;
@@ -138,14 +138,14 @@ static void airy_of(double thickness, double cosine, double lanes[3])
             const double side = r[k] * r[k], finesse = 4 * side / ((1 - side) * (1 - side));
             sum += .5 * finesse * sine2 / (1 + finesse * sine2);
         }
-        observer_lanes(nm, one);
-        for (int lane = 0; lane < 3; lane++) {
-            lanes[lane] += one[lane] * sum;
-            white[lane] += one[lane];
+        observer_components(nm, one);
+        for (int component = 0; component < 3; component++) {
+            components[component] += one[component] * sum;
+            white[component] += one[component];
         }
     }
-    for (int lane = 0; lane < 3; lane++)
-        lanes[lane] /= white[lane];
+    for (int component = 0; component < 3; component++)
+        components[component] /= white[component];
 }
 
 /* A film in air is one on a base of index 1, which reflects nothing of its own. */
@@ -160,11 +160,11 @@ static void soap_is_airys(void **state)
     for (int i = 0; i < SIDE * SIDE; i++) {
         double want[3];
         airy_of((i + .5) / (SIDE * SIDE), i % 2 ? .5 : 1, want);
-        for (int lane = 0; lane < 3; lane++) {
-            worst[i % 2] =
-                fmax(worst[i % 2], fabs((double)reported[i][lane] - fmin(fmax(want[lane], 0), 1)));
-            most[i % 2] = fmax(most[i % 2], want[lane]);
-            least[i % 2] = fmin(least[i % 2], want[lane]);
+        for (int component = 0; component < 3; component++) {
+            worst[i % 2] = fmax(worst[i % 2], fabs((double)reported[i][component] -
+                                                   fmin(fmax(want[component], 0), 1)));
+            most[i % 2] = fmax(most[i % 2], want[component]);
+            least[i % 2] = fmin(least[i % 2], want[component]);
         }
     }
     for (int k = 0; k < 2; k++)

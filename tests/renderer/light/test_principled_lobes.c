@@ -275,7 +275,7 @@ static double strayed(const Layers *of, double cosine, double albedo)
                 0);
 }
 
-/* All lobes of lane 1 of a pixel's surface by their definitions and integrals. */
+/* All lobes of component 1 of a pixel's surface by their definitions and integrals. */
 static double lobe_of(int i, double cosine, double l, double turn)
 {
     const double rough = rough_of(i / SIDE), base = varied(i, .382), metal = varied(i, .733),

@@ -53,8 +53,8 @@ static const char lobes[] =
     "vec4 passPixel(ivec2 p) { Lit m = surfaceLit(leaf(p), toward(cosineOf(p), 0.0)); "
     "return vec4(surfaceLobe(m, toward(-0.05 - 0.9 * varied(p, 0.5701), 6.28 * varied(p, "
     "0.91))).x, surfaceEven(m).x, surfaceAmbient(m, vec3(1.0)).x, 1.0); }\n";
-/* The eye on the other side sees the other normal. Of light behind by lane 0, before by lane 1;
- * through by lane 2. */
+/* The eye on the other side sees the other normal. Of light behind by component 0, before by
+ * component 1; through by component 2. */
 static const char turned[] =
     "vec4 passPixel(ivec2 p) {\n"
     "    vec3 v = toward(cosineOf(p), 0.0), l = toward(0.05 + 0.95 * varied(p, 0.5701), 6.2831853 "

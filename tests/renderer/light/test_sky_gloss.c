@@ -19,11 +19,11 @@ enum { SIDE = 96, PIXELS = SIDE * SIDE };
     "target: [0, 0, 0], "                                                                          \
     "angle: 3 }\n"
 
-static double texel(const ReferencePicture *picture, int x, int y, int lane)
+static double texel(const ReferencePicture *picture, int x, int y, int component)
 {
     const int column = (x % picture->width + picture->width) % picture->width,
               row = (y % picture->height + picture->height) % picture->height;
-    return (double)picture->rgba[4 * (row * picture->width + column) + lane];
+    return (double)picture->rgba[4 * (row * picture->width + column) + component];
 }
 
 /* semantics.md 5.3 says where a direction is on the sky; texels have their colours in their

@@ -87,7 +87,7 @@ static void trace(const Read *r)
         evaluate_material(sky->document, sky->index, &r->options, (SurfacePoints){&surface, 1},
                           &slots);
         for (int k = 0; k < 3; k++)
-            rays[i].light[k] = slots.lane[SLOT_diffuse][k] + slots.lane[SLOT_emissive][k];
+            rays[i].light[k] = slots.component[SLOT_diffuse][k] + slots.component[SLOT_emissive][k];
     }
 }
 

@@ -72,17 +72,18 @@ static void through_glass(void **state)
                  k == 4 ? -6 : k / 2 % 2 * 3);
         float *shown = draw(gl, text, 1 + k / 2 % 2, k == 3);
         for (int i = 0; i < 3 * WIDTH * HEIGHT; i++) {
-            const int x = i / 3 % WIDTH, y = i / 3 / WIDTH, lane = i % 3;
+            const int x = i / 3 % WIDTH, y = i / 3 / WIDTH, component = i % 3;
             const bool pane = x >= 20 && x < 40 && y >= 10 && y < 30;
             const double right = (2 * x + 1 - WIDTH) / (double)HEIGHT,
                          up = (2 * y + 1 - HEIGHT) / (double)HEIGHT - .1;
             const double glow = exp(-1.6 * (right * right + up * up)),
                          grey = (x / 16 + y / 16) % 2 ? .4 : .6;
             const bool tiled = k == 4 ? pane : k % 2;
-            const double behind = tiled ? pow((grey + .055) / 1.055, 2.4)
-                                        : edge[0][lane] + glow * (edge[1][lane] - edge[0][lane]);
-            most = fmax(
-                most, fabs(shown[i / 3 * 4 + lane] - encode(pane ? lets[lane] * behind : behind)));
+            const double behind =
+                tiled ? pow((grey + .055) / 1.055, 2.4)
+                      : edge[0][component] + glow * (edge[1][component] - edge[0][component]);
+            most = fmax(most, fabs(shown[i / 3 * 4 + component] -
+                                   encode(pane ? lets[component] * behind : behind)));
         }
         print_message("%s: %.3f steps of 8 bits\n", k % 2 ? "tiles" : "glow", 255 * most);
         assert_true(255 * most <= .6);

@@ -115,11 +115,11 @@ static bool reference(const EdgeCase *c, const Tracer *tracer, const int at[2], 
         const int object = reference_hit(tracer, &ray, 0).object;
         edge |= first > -2 && object != first;
         first = object;
-        for (int lane = 0; lane < 3; lane++)
-            sum[lane] += c->colors[object < 0 ? scene->object_count : object][lane];
+        for (int component = 0; component < 3; component++)
+            sum[component] += c->colors[object < 0 ? scene->object_count : object][component];
     }
-    for (int lane = 0; lane < 3; lane++)
-        mean[lane] = encoded(sum[lane] / (SAMPLES * SAMPLES));
+    for (int component = 0; component < 3; component++)
+        mean[component] = encoded(sum[component] / (SAMPLES * SAMPLES));
     return edge;
 }
 
@@ -138,8 +138,8 @@ static void compare(const EdgeCase *c, const Tracer *tracer, float *const pictur
         band->count += edge;
         bool apart = false;
         for (int k = 0; k < 2; k++)
-            for (int lane = 0; lane < 3; lane++) {
-                const double off = pictures[k][4 * i + lane] - mean[lane];
+            for (int component = 0; component < 3; component++) {
+                const double off = pictures[k][4 * i + component] - mean[component];
                 band->sum[k] += edge ? off * off / 3 : 0;
                 apart |= k == 1 && fabs(off) > .1;
             }

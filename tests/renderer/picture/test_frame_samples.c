@@ -53,20 +53,20 @@ static float *draw(GlContext *gl, const Scene *scene, const RendererOptions *opt
 }
 
 /* The n x n texels of a large picture that are a pixel's; of a slot, those of a surface. */
-static double mean(const float *large, int n, int pixel, int lane, const char *view)
+static double mean(const float *large, int n, int pixel, int component, const char *view)
 {
     const bool shown = !view,
-               slot = view && strcmp(view, "light") && strcmp(view, "depth") && lane < 3;
+               slot = view && strcmp(view, "light") && strcmp(view, "depth") && component < 3;
     double sum = 0, count = 0;
     for (int i = 0; i < n * n; i++) {
         const int x = pixel % WIDTH * n + i % n, y = pixel / WIDTH * n + i / n;
         const float *at = large + 4 * (y * WIDTH * n + x);
         const double share = slot ? at[3] : 1;
-        sum += share * (shown && lane < 3 ? decoded(at[lane]) : at[lane]);
+        sum += share * (shown && component < 3 ? decoded(at[component]) : at[component]);
         count += share;
     }
     sum /= count > 0 ? count : 1;
-    return shown && lane < 3 ? encoded(sum) : sum;
+    return shown && component < 3 ? encoded(sum) : sum;
 }
 
 static void pixels_are_means(void **state)

@@ -34,10 +34,10 @@ static void expect(const float *rgba, const Case *c, double time)
                      y = c->parallel ? 0 : (i / EDGE + .5) / EDGE * 2 - 1;
         const double facing = 1 / sqrt(1 + x * x + y * y),
                      want[3] = {.5 - .5 * x * facing, facing, time / 8};
-        for (int lane = 0; lane < 3; lane++)
-            if (!(fabs(rgba[4 * i + lane] - want[lane]) <= 4e-6))
-                fail_msg("%s, %s, pixel %d, lane %d: %g, not %g", c->object, c->camera, i, lane,
-                         (double)rgba[4 * i + lane], want[lane]);
+        for (int component = 0; component < 3; component++)
+            if (!(fabs(rgba[4 * i + component] - want[component]) <= 4e-6))
+                fail_msg("%s, %s, pixel %d, lane %d: %g, not %g", c->object, c->camera, i,
+                         component, (double)rgba[4 * i + component], want[component]);
     }
 }
 
@@ -248,10 +248,10 @@ static void gltf_has_attributes_of_its_own(void **state)
     float *rgba = draw_mesh(gl, path, seen, "emissive");
     for (int i = 0; i < EDGE * EDGE; i++) {
         const double want[3] = {(i % EDGE + .5) / EDGE, (i / EDGE + .5) / EDGE, .25};
-        for (int lane = 0; lane < 3; lane++)
-            if (!(fabs(rgba[4 * i + lane] - want[lane]) <= 1e-5))
-                fail_msg("pixel %d, lane %d: %g, not %g", i, lane, (double)rgba[4 * i + lane],
-                         want[lane]);
+        for (int component = 0; component < 3; component++)
+            if (!(fabs(rgba[4 * i + component] - want[component]) <= 1e-5))
+                fail_msg("pixel %d, lane %d: %g, not %g", i, component,
+                         (double)rgba[4 * i + component], want[component]);
     }
     free(rgba);
     gl_close(gl);

@@ -234,11 +234,11 @@ static void compare_block(exr_context_t exr, int top, const Scene *scene, const 
     for (int i = 0; i < pipe.channel_count; i++) {
         static const char order[] = "RGBA";
         const char *place = strchr(order, *pipe.channels[i].channel_name);
-        const int lane = place ? (int)(place - order) : 0;
+        const int component = place ? (int)(place - order) : 0;
         for (int y = 0; y < chunk.height; y++)
             for (int x = 0; x < WIDTH; x++) {
                 const int row = scene->height - 1 - top - y;
-                assert_true(planes[i][y * WIDTH + x] == rgba[4 * (row * WIDTH + x) + lane]);
+                assert_true(planes[i][y * WIDTH + x] == rgba[4 * (row * WIDTH + x) + component]);
             }
     }
     exr_decoding_destroy(exr, &pipe);

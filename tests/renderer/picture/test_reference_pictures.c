@@ -180,8 +180,9 @@ static void sky_of(const SkyTable *table, const double way[3], double rgb[3])
     }
     const double xyz[3] = {value[1] / value[2] * value[0], value[0],
                            (1 - value[1] - value[2]) / value[2] * value[0]};
-    for (int lane = 0; lane < 3; lane++)
-        rgb[lane] = matrix[lane][0] * xyz[0] + matrix[lane][1] * xyz[1] + matrix[lane][2] * xyz[2];
+    for (int component = 0; component < 3; component++)
+        rgb[component] = matrix[component][0] * xyz[0] + matrix[component][1] * xyz[1] +
+                         matrix[component][2] * xyz[2];
 }
 
 /* Direction of a pixel of cycles/sky.yaml; its camera looks towards (0.2, 1, 0.62) from the origin.
@@ -251,12 +252,13 @@ static int ascending(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* The greatest of three lanes. */
+/* The greatest of three components. */
 static double difference(const float *a, const float *b)
 {
     double greatest = 0;
-    for (int lane = 0; lane < 3; lane++)
-        greatest = isnan(a[lane]) ? INFINITY : fmax(greatest, fabs((double)a[lane] - b[lane]));
+    for (int component = 0; component < 3; component++)
+        greatest = isnan(a[component]) ? INFINITY
+                                       : fmax(greatest, fabs((double)a[component] - b[component]));
     return greatest;
 }
 
@@ -331,19 +333,19 @@ static int source_of(const ReferencePicture *picture, int i, int fault)
     }
 }
 
-static float lane_of(const float *rgba, int lane, int fault)
+static float component_of(const float *rgba, int component, int fault)
 {
     switch (fault) {
     case DOUBLED:
-        return 2 * rgba[lane];
+        return 2 * rgba[component];
     case ENCODED:
-        return powf(fmaxf(rgba[lane], 0), 1 / 2.2f);
+        return powf(fmaxf(rgba[component], 0), 1 / 2.2f);
     case SWAPPED:
-        return rgba[2 - lane];
+        return rgba[2 - component];
     case BRIGHTER: /* by what a factor of pi that is rounded might be */
-        return 1.02f * rgba[lane];
+        return 1.02f * rgba[component];
     default:
-        return rgba[lane];
+        return rgba[component];
     }
 }
 
@@ -359,8 +361,8 @@ static void faults_are_seen(void **state)
         for (int fault = 0; fault < FAULTS; fault++) {
             for (int i = 0; i < 4 * pixels; i++)
                 faulty[i] = i % 4 == 3 ? 1
-                                       : lane_of(rgba + 4 * source_of(&picture, i / 4, fault),
-                                                 i % 4, fault);
+                                       : component_of(rgba + 4 * source_of(&picture, i / 4, fault),
+                                                      i % 4, fault);
             const Differences found = compare(&picture, faulty);
             if (is_close(&found, cases[k].bounds, FLOATS))
                 fail_msg("%s: fault %d is not seen: %g, %g", cases[k].scene, fault, found.middle,

@@ -18,8 +18,8 @@ static int apart(const float *a, const float *b, double least)
     int count = 0;
     for (int i = 0; i < WIDTH * HEIGHT; i++) {
         double greatest = 0;
-        for (int lane = 0; lane < 3; lane++)
-            greatest = fmax(greatest, fabs((double)a[4 * i + lane] - b[4 * i + lane]));
+        for (int component = 0; component < 3; component++)
+            greatest = fmax(greatest, fabs((double)a[4 * i + component] - b[4 * i + component]));
         count += greatest > least;
     }
     return count;
@@ -207,9 +207,9 @@ static void compare(const float *whole, const float *parts, bool depth, Seams *s
 {
     for (int i = 0; i < seams->pixels; i++) {
         int most = 0;
-        for (int lane = 0; lane < 3 && !depth; lane++) {
-            const int steps = abs((int)lrintf(whole[4 * i + lane] * 255) -
-                                  (int)lrintf(parts[4 * i + lane] * 255));
+        for (int component = 0; component < 3 && !depth; component++) {
+            const int steps = abs((int)lrintf(whole[4 * i + component] * 255) -
+                                  (int)lrintf(parts[4 * i + component] * 255));
             most = steps > most ? steps : most;
         }
         if (depth && whole[4 * i] != parts[4 * i])

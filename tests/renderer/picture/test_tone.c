@@ -41,7 +41,7 @@ static float *draw(GlContext *gl, const char *text, const char *view, bool fragm
 
 typedef struct {
     int count;
-    double greatest, mean[4], log_mean, brightest, darkest; /* lane 3: luminance */
+    double greatest, mean[4], log_mean, brightest, darkest; /* component 3: luminance */
 } Picture;
 
 static double luminance(const double c[3]) { return .2126 * c[0] + .7152 * c[1] + .0722 * c[2]; }
@@ -53,9 +53,9 @@ static Picture measure(const float *rgba, int count)
     int bright = 0;
     for (int i = 0; i < count; i++) {
         const double c[3] = {rgba[4 * i], rgba[4 * i + 1], rgba[4 * i + 2]}, l = luminance(c);
-        for (int lane = 0; lane < 3; lane++) {
-            p.greatest = fmax(p.greatest, c[lane]);
-            p.mean[lane] += c[lane] / count;
+        for (int component = 0; component < 3; component++) {
+            p.greatest = fmax(p.greatest, c[component]);
+            p.mean[component] += c[component] / count;
         }
         p.mean[3] += l / count;
         p.brightest = fmax(p.brightest, l);
@@ -133,9 +133,9 @@ static void find_span(const Mapping *m, const Picture *p, const float *rgba, dou
     for (int i = 0; m->kind == SCENE_ReinhardDevlin && i < p->count; i++) {
         double out[3];
         adapt(m, p, (double[]){rgba[4 * i], rgba[4 * i + 1], rgba[4 * i + 2]}, out);
-        for (int lane = 0; lane < 3; lane++) {
-            span[0] = fmin(span[0], out[lane]);
-            span[1] = fmax(span[1], out[lane]);
+        for (int component = 0; component < 3; component++) {
+            span[0] = fmin(span[0], out[component]);
+            span[1] = fmax(span[1], out[component]);
         }
     }
 }
@@ -161,8 +161,8 @@ static double off_by(GlContext *gl, const Mapping *m, const float *light, bool f
     for (int i = 0; i < PIXELS; i++) {
         double out[3] = {0};
         map(m, &p, span, (double[]){light[4 * i], light[4 * i + 1], light[4 * i + 2]}, out);
-        for (int lane = 0; lane < 3; lane++)
-            greatest = fmax(greatest, fabs(shown[4 * i + lane] - encode(out[lane])));
+        for (int component = 0; component < 3; component++)
+            greatest = fmax(greatest, fabs(shown[4 * i + component] - encode(out[component])));
     }
     free(shown);
     return greatest;
@@ -215,7 +215,7 @@ static void run(GlContext *gl, const float *rgba, const int size[2], bool comput
 {
     const char *const texts[] = {"#define TONE_Linear\n#define TONE_MEASURES\n", render_text_tone,
                                  NULL};
-    const TextureSpec spec = {.width = size[0], .height = size[1], .lanes = 4, .floats = rgba};
+    const TextureSpec spec = {.width = size[0], .height = size[1], .components = 4, .floats = rgba};
     Store *store = store_new(gl);
     Screen screen;
     Measure made;
@@ -250,8 +250,9 @@ static void measured(void **state)
             run(gl, rgba, sizes[s], compute, reported);
             assert_true(fabs(reported[0][1] - p.greatest) <= 1e-6 * p.greatest);
             assert_true(fabs(reported[0][3] - p.brightest) <= 1e-6 * p.brightest);
-            for (int lane = 0; lane < 4; lane++)
-                assert_true(fabs(reported[1][lane] / count - p.mean[lane]) <= 1e-5 * p.mean[lane]);
+            for (int component = 0; component < 4; component++)
+                assert_true(fabs(reported[1][component] / count - p.mean[component]) <=
+                            1e-5 * p.mean[component]);
             assert_true(fabs(reported[2][0] / reported[2][1] - p.log_mean) <=
                         1e-5 * (fabs(p.log_mean) + 1));
             assert_true(fabs(reported[2][2] - p.darkest) <= 1e-5 * p.darkest);

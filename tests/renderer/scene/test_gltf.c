@@ -202,8 +202,9 @@ static void meshes_have_colors(void **state)
         matc_eval_slot(document, 0, "u=.9 v=.9 @uv1.x=.1 @uv1.y=.3 @color.r=.5", &options);
     const MatcNumbers plain = matc_eval_slot(document, 1, "u=.1 v=.3", &options);
     assert_null(seen.fault);
-    assert_true(plain.lane[0] > 0 && fabs(seen.lane[0] - plain.lane[0] / 2) < 1e-12 &&
-                fabs(seen.lane[1] - plain.lane[1]) < 1e-12);
+    assert_true(plain.component[0] > 0 &&
+                fabs(seen.component[0] - plain.component[0] / 2) < 1e-12 &&
+                fabs(seen.component[1] - plain.component[1]) < 1e-12);
     matc_document_free(document);
 }
 

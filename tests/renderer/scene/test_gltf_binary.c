@@ -83,7 +83,8 @@ static const char *shown_by(const char *name, const void *text, size_t size, cha
     snprintf(shown, 512, "%s", fault ? fault + 7 : "");
     shown[strcspn(shown, "\n")] = 0;
     if (!fault)
-        snprintf(shown, 512, "%.9f %.9f %.9f", seen.lane[0], seen.lane[1], seen.lane[2]);
+        snprintf(shown, 512, "%.9f %.9f %.9f", seen.component[0], seen.component[1],
+                 seen.component[2]);
     matc_document_free(document);
     unlink(path);
     return shown;

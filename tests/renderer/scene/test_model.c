@@ -209,8 +209,9 @@ static void assert_mirrored(bool (*read)(const char *, Shape *, char *, size_t),
                 {0, size, 0}};
             const float *got[] = {corner[k]->position, corner[k]->normal, corner[k]->tangentU,
                                   corner[k]->tangentV};
-            for (int lane = 0; lane < 12; lane++)
-                assert_float_equal(got[lane / 3][lane % 3], wanted[lane / 3][lane % 3], 1e-5);
+            for (int component = 0; component < 12; component++)
+                assert_float_equal(got[component / 3][component % 3],
+                                   wanted[component / 3][component % 3], 1e-5);
         }
     }
     shape_free(&shape);
@@ -241,8 +242,9 @@ static void normals_may_face_the_other_way(void **state)
         const ShapeVertex *w = &shape.vertices[i];
         const float wanted[][3] = {{0, 0, -1}, {2, 0, 0}, {0, 2, 0}},
                     *got[] = {w->normal, w->tangentU, w->tangentV};
-        for (int lane = 0; lane < 9; lane++)
-            assert_float_equal(got[lane / 3][lane % 3], wanted[lane / 3][lane % 3], 1e-5);
+        for (int component = 0; component < 9; component++)
+            assert_float_equal(got[component / 3][component % 3],
+                               wanted[component / 3][component % 3], 1e-5);
     }
     shape_free(&shape);
 }

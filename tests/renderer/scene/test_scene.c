@@ -168,11 +168,12 @@ static void check_triangles(const Shape *shape, double within)
             assert_true(dot(front, front) < 1e-18 || dot(front, n) > 0);
         }
         for (int k = 1; k < 3; k++)
-            for (int lane = 0; lane < 3; lane++) {
+            for (int component = 0; component < 3; component++) {
                 const double du = v[k]->uv[0] - v[0]->uv[0], dv = v[k]->uv[1] - v[0]->uv[1];
-                const double step = (v[0]->tangentU[lane] + v[k]->tangentU[lane]) / 2. * du +
-                                    (v[0]->tangentV[lane] + v[k]->tangentV[lane]) / 2. * dv;
-                assert_true(fabs(step - edge[k - 1][lane]) <= within);
+                const double step =
+                    (v[0]->tangentU[component] + v[k]->tangentU[component]) / 2. * du +
+                    (v[0]->tangentV[component] + v[k]->tangentV[component]) / 2. * dv;
+                assert_true(fabs(step - edge[k - 1][component]) <= within);
             }
     }
 }

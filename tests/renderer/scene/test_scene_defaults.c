@@ -56,8 +56,8 @@ static bool is_part(const SceneParamRow *row)
 
 static Sort sort_of(const SceneParamRow *row)
 {
-    if (row->param.lanes != 1)
-        return row->param.lanes ? A_VECTOR : A_NOTHING;
+    if (row->param.components != 1)
+        return row->param.components ? A_VECTOR : A_NOTHING;
     switch (row->param.type) {
     case PARAM_Bool:
         return A_TRUTH;
@@ -96,7 +96,7 @@ static void each_key(void **state)
             fail_msg("%s.%s is not written down in scene_defaults.def", kind, key);
         if (expected->sort != sort_of(row))
             fail_msg("%s.%s is of another type", kind, key);
-        for (int k = 0; k < row->param.lanes; k++)
+        for (int k = 0; k < row->param.components; k++)
             if (row->param.init[k] != expected->init[k])
                 fail_msg("%s.%s is %g by default, not %g", kind, key, row->param.init[k],
                          expected->init[k]);

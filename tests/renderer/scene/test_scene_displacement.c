@@ -93,14 +93,14 @@ static void hard_edges_have_one_way(void **state)
     int on[4] = {0};
     for (int i = 0; i < shape->vertex_count; i++) {
         double want[3], sides = 0;
-        for (int lane = 0; lane < 3; lane++) {
-            want[lane] = fabs(shape->base[i][lane]) == 1 ? shape->base[i][lane] : 0;
-            sides += fabs(want[lane]);
+        for (int component = 0; component < 3; component++) {
+            want[component] = fabs(shape->base[i][component]) == 1 ? shape->base[i][component] : 0;
+            sides += fabs(want[component]);
         }
         on[(int)sides]++;
-        for (int lane = 0; lane < 3; lane++)
-            assert_true(fabs(shape->vertices[i].position[lane] - shape->base[i][lane] -
-                             .3 * want[lane] / sqrt(sides)) < 1e-6);
+        for (int component = 0; component < 3; component++)
+            assert_true(fabs(shape->vertices[i].position[component] - shape->base[i][component] -
+                             .3 * want[component] / sqrt(sides)) < 1e-6);
     }
     assert_int_equal(on[0], 0);
     assert_int_equal(on[3], 24);
@@ -125,8 +125,8 @@ static void area_of(float (*const rows)[3], const uint32_t *corners, double area
 static int faces_at(const float p[3], double half)
 {
     int count = 0;
-    for (int lane = 0; lane < 3; lane++)
-        count += fabs((double)p[lane]) > half - 1e-6;
+    for (int component = 0; component < 3; component++)
+        count += fabs((double)p[component]) > half - 1e-6;
     return count;
 }
 
@@ -153,9 +153,10 @@ static void hard_faces_cross_where_they_move_inward(void **state)
         for (int i = 0; i < shape->vertex_count; i++) {
             memcpy(moved[i], shape->vertices[i].position, sizeof *moved);
             /* it is in its face's plane, or along it */
-            for (int lane = 0; lane < 3 && faces_at(shape->base[i], half) == 1; lane++)
-                if (fabs((double)shape->base[i][lane]) < half - 1e-6)
-                    beyond = fmax(beyond, fabs((double)moved[i][lane]) - half - way * height);
+            for (int component = 0; component < 3 && faces_at(shape->base[i], half) == 1;
+                 component++)
+                if (fabs((double)shape->base[i][component]) < half - 1e-6)
+                    beyond = fmax(beyond, fabs((double)moved[i][component]) - half - way * height);
         }
         for (int i = 0; i < shape->index_count; i += 3) {
             double was[3], is[3];
@@ -237,11 +238,11 @@ static void what_is_closed_stays_closed(void **state)
                              *m = scene->objects[0].world_from_local.m;
                 for (int i = 0; i < shape->vertex_count; i++) {
                     double moved[3] = {0};
-                    for (int lane = 0; lane < 3; lane++)
+                    for (int component = 0; component < 3; component++)
                         for (int row = 0; row < 3; row++)
-                            moved[row] +=
-                                m[4 * lane + row] *
-                                ((double)shape->vertices[i].position[lane] - shape->base[i][lane]);
+                            moved[row] += m[4 * component + row] *
+                                          ((double)shape->vertices[i].position[component] -
+                                           shape->base[i][component]);
                     nearest = fmax(nearest, size_of(moved) / bound);
                     if (size_of(moved) > bound * (1 + 1e-5) + 1e-6)
                         fail_msg("%s: moves by %g, at most %g", text, size_of(moved), bound);

@@ -28,25 +28,24 @@ static const char *document_of(SceneSort sort)
     return NULL;
 }
 
-static void put_text(const SceneParamRow *row, int lane, double value, char text[512])
+static void put_text(const SceneParamRow *row, int component, double value, char text[512])
 {
-    char vector[160], component[3][40];
+    char vector[160], texts[3][40];
     for (int i = 0; i < 3; i++)
-        snprintf(component[i], sizeof component[i], "%.17g",
-                 i == lane ? value : row->param.init[i]);
-    snprintf(vector, sizeof vector, "%s: [%s, %s, %s]", row->param.name, component[0], component[1],
-             component[2]);
+        snprintf(texts[i], sizeof texts[i], "%.17g", i == component ? value : row->param.init[i]);
+    snprintf(vector, sizeof vector, "%s: [%s, %s, %s]", row->param.name, texts[0], texts[1],
+             texts[2]);
     snprintf(text, 512, document_of(scene_kind_table[row->kind].sort),
              scene_kind_table[row->kind].name, vector);
 }
 
 /* Whether a value is refused for its range; it may be for what it means, as a view along `up`
  * is. */
-static bool is_out_of_range(const SceneParamRow *row, int lane, double value)
+static bool is_out_of_range(const SceneParamRow *row, int component, double value)
 {
     char text[512], fault[96], *reported;
     MatcDocument *document;
-    put_text(row, lane, value, text);
+    put_text(row, component, value, text);
     Scene *scene = read_text(text, &document);
     snprintf(fault, sizeof fault, ": error: %s is ", row->param.name);
     reported = strstr(matc_diagnostics(document, MATC_TEXT), fault);
@@ -69,13 +68,13 @@ static void vectors_have_borders(void **state)
         vectors++;
         if (!isfinite(row->param.low) || !isfinite(row->param.high))
             fail_msg("%s.%s has no range", scene_kind_table[row->kind].name, row->param.name);
-        for (int lane = 0; lane < 3; lane++)
-            if (is_out_of_range(row, lane, row->param.low) ||
-                is_out_of_range(row, lane, row->param.high) ||
-                !is_out_of_range(row, lane, nextafter(row->param.low, -INFINITY)) ||
-                !is_out_of_range(row, lane, nextafter(row->param.high, INFINITY)))
+        for (int component = 0; component < 3; component++)
+            if (is_out_of_range(row, component, row->param.low) ||
+                is_out_of_range(row, component, row->param.high) ||
+                !is_out_of_range(row, component, nextafter(row->param.low, -INFINITY)) ||
+                !is_out_of_range(row, component, nextafter(row->param.high, INFINITY)))
                 fail_msg("%s.%s, component %d", scene_kind_table[row->kind].name, row->param.name,
-                         lane);
+                         component);
     }
     assert_true(vectors > 25);
 }

@@ -34,9 +34,9 @@ static Edge *edges_of(const SceneBisection *b)
         const float *p = b->vertices[t->vertex[i % 3]].position,
                     *q = b->vertices[t->vertex[(i + 1) % 3]].position;
         bool first = true;
-        for (int lane = 0; lane < 3; lane++)
-            if (p[lane] != q[lane]) {
-                first = p[lane] < q[lane];
+        for (int component = 0; component < 3; component++)
+            if (p[component] != q[component]) {
+                first = p[component] < q[component];
                 break;
             }
         memcpy(edges[i].ends[!first], p, sizeof edges[i].ends[0]);
@@ -49,9 +49,9 @@ static Edge *edges_of(const SceneBisection *b)
 static double length(const Edge *edge)
 {
     double sum = 0;
-    for (int lane = 0; lane < 3; lane++)
-        sum += ((double)edge->ends[0][lane] - edge->ends[1][lane]) *
-               ((double)edge->ends[0][lane] - edge->ends[1][lane]);
+    for (int component = 0; component < 3; component++)
+        sum += ((double)edge->ends[0][component] - edge->ends[1][component]) *
+               ((double)edge->ends[0][component] - edge->ends[1][component]);
     return sqrt(sum);
 }
 
@@ -83,9 +83,9 @@ static double area(const SceneBisection *b)
         const uint32_t *v = b->triangles[i].vertex;
         double e[2][3], n[3];
         for (int k = 0; k < 2; k++)
-            for (int lane = 0; lane < 3; lane++)
-                e[k][lane] =
-                    (double)b->vertices[v[k + 1]].position[lane] - b->vertices[v[0]].position[lane];
+            for (int component = 0; component < 3; component++)
+                e[k][component] = (double)b->vertices[v[k + 1]].position[component] -
+                                  b->vertices[v[0]].position[component];
         for (int k = 0; k < 3; k++)
             n[k] = e[0][(k + 1) % 3] * e[1][(k + 2) % 3] - e[0][(k + 2) % 3] * e[1][(k + 1) % 3];
         sum += sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]) / 2;
@@ -165,8 +165,8 @@ static bool lift(void *user, const ShapeVertex *at, int count, double (*to)[3])
 {
     Height *height = *(Height *const *)user;
     for (int i = 0; i < count; i++) {
-        for (int lane = 0; lane < 3; lane++)
-            to[i][lane] = at[i].position[lane];
+        for (int component = 0; component < 3; component++)
+            to[i][component] = at[i].position[component];
         to[i][2] += height(to[i][0], to[i][1]);
     }
     return true;
@@ -184,9 +184,9 @@ static double error_of(const Shape *shape, Height *height)
         double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
         for (int k = 0; k < 3; k++) {
             p[k] = shape->vertices[shape->indices[i + k]].position;
-            for (int lane = 0; lane < 2; lane++) {
-                low[lane] = fmin(low[lane], p[k][lane]);
-                high[lane] = fmax(high[lane], p[k][lane]);
+            for (int component = 0; component < 2; component++) {
+                low[component] = fmin(low[component], p[k][component]);
+                high[component] = fmax(high[component], p[k][component]);
             }
         }
         const double twice = ((double)p[1][0] - p[0][0]) * ((double)p[2][1] - p[0][1]) -

@@ -109,15 +109,15 @@ static void look(const Scene *scene, double pixels, Found *f)
         MatcPoint point = {.normal = {0, 0, 1}, .tangent_u = {60, 0, 0}, .tangent_v = {0, 60, 0}};
         double has[3] = {0}, pixel[2][2];
         for (int k = 0; k < 3; k++)
-            for (int lane = 0; lane < 3; lane++) {
+            for (int component = 0; component < 3; component++) {
                 const uint32_t vertex = shape->indices[i + k];
-                has[lane] += share[k] * shape->vertices[vertex].position[lane];
-                point.position[lane] += share[k] * shape->base[vertex][lane];
+                has[component] += share[k] * shape->vertices[vertex].position[component];
+                point.position[component] += share[k] * shape->base[vertex][component];
             }
         memcpy(point.local, point.position, sizeof point.local);
-        for (int lane = 0; lane < 2; lane++) { /* the object's place */
-            has[lane] -= 30;
-            point.position[lane] -= 30;
+        for (int component = 0; component < 2; component++) { /* the object's place */
+            has[component] -= 30;
+            point.position[component] -= 30;
         }
         f->triangles[has[1] < -6]++;
         assert_true(

@@ -187,9 +187,9 @@ static int meets(const Shape *s, const double from[3], const double way[3])
             p[k] = s->vertices[s->indices[i + k]].position;
         for (int k = 0; k < 3; k++) { /* six times the volume between the ray and an edge */
             double a[3], b[3];
-            for (int lane = 0; lane < 3; lane++) {
-                a[lane] = p[k][lane] - from[lane];
-                b[lane] = p[(k + 1) % 3][lane] - from[lane];
+            for (int component = 0; component < 3; component++) {
+                a[component] = p[k][component] - from[component];
+                b[component] = p[(k + 1) % 3][component] - from[component];
             }
             side[k] = way[0] * (a[1] * b[2] - a[2] * b[1]) + way[1] * (a[2] * b[0] - a[0] * b[2]) +
                       way[2] * (a[0] * b[1] - a[1] * b[0]);

@@ -381,7 +381,7 @@ static void paths(void **state)
     gl_close(gl);
 }
 
-/* Nine lights take a second lane of the mask: the last alone keeps its own shadows. 33 are
+/* Nine lights take a second component of the mask: the last alone keeps its own shadows. 33 are
  * refused. */
 static void many_lights(void **state)
 {

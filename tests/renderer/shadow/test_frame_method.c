@@ -77,9 +77,10 @@ static void compare(const ShadowMethod *method, const double shares[2])
     float *with = light_of(gl, scene, method), *without = light_of(gl, scene, NULL);
     int lit[2] = {0};
     for (int i = 0; i < WIDTH * HEIGHT; i++)
-        for (int lane = 0; lane < 2; lane++) {
-            assert_true(fabs(with[4 * i + lane] - shares[lane] * without[4 * i + lane]) < 1e-6);
-            lit[lane] += without[4 * i + lane] > 0.1;
+        for (int component = 0; component < 2; component++) {
+            assert_true(fabs(with[4 * i + component] -
+                             shares[component] * without[4 * i + component]) < 1e-6);
+            lit[component] += without[4 * i + component] > 0.1;
         }
     assert_true(lit[0] > WIDTH * HEIGHT / 4 && lit[1] > WIDTH * HEIGHT / 4);
     free(with);

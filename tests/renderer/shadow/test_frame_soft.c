@@ -148,8 +148,8 @@ static void add_pixel(const Judge *judge, int pixel, const float *rgba, Error *e
     if (full.edge || full.nothing || full.light[0] < 1e-3 || (judge->row->glass && hit.object > 0))
         return;
     soft_shares(judge->tracer, &judge->tracer->scene->lights[0], &hit, &rays, shares);
-    for (int lane = 0; lane < 3; lane++) {
-        const double off = rgba[lane] / full.light[lane] - shares[lane];
+    for (int component = 0; component < 3; component++) {
+        const double off = rgba[component] / full.light[component] - shares[component];
         error->most = fmax(error->most, fabs(off));
         error->squares += off * off / 3;
     }

@@ -123,9 +123,9 @@ static void faces_of(const char *camera, const char *volume)
         const double share = .25 + .75 * facing, colors[3] = {.95, .45, .1};
         covered += facing >= 0;
         empty += facing == -1;
-        for (int lane = 0; lane < 3 && facing > -2; lane++)
-            wrong += fabs((double)shown[4 * i + lane] -
-                          (facing < 0 ? 0 : encoded(share * colors[lane]))) > 1.5 / 255;
+        for (int component = 0; component < 3 && facing > -2; component++)
+            wrong += fabs((double)shown[4 * i + component] -
+                          (facing < 0 ? 0 : encoded(share * colors[component]))) > 1.5 / 255;
     }
     print_message("%-8s %d covered, %d empty, %d lanes wrong\n", volume, covered, empty, wrong);
     assert_true(covered > 400 && empty > 3000);

@@ -59,8 +59,8 @@ static float *draw(GlContext *gl, int number, double below, const char *way)
 
 static bool is_apart(const float *a, const float *b)
 {
-    for (int lane = 0; lane < 3; lane++)
-        if (fabsf(a[lane] - b[lane]) > .01F)
+    for (int component = 0; component < 3; component++)
+        if (fabsf(a[component] - b[component]) > .01F)
             return true;
     return false;
 }

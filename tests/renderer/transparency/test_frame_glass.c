@@ -373,11 +373,12 @@ enum { PICTURES = sizeof pictures / sizeof *pictures };
  * layer that is peeled has more of. */
 static void agree(int picture, int way, const Scene *scene, const float *first)
 {
-    const size_t lanes = (size_t)scene->width * (size_t)scene->height * 4;
+    const size_t components = (size_t)scene->width * (size_t)scene->height * 4;
     float *rgba = draw_by(way, scene);
     size_t apart = 0;
-    for (size_t lane = 0; lane < lanes; lane++)
-        apart += !(fabsf(first[lane] - rgba[lane]) <= 2e-6f * fmaxf(fabsf(first[lane]), 1));
+    for (size_t component = 0; component < components; component++)
+        apart += !(fabsf(first[component] - rgba[component]) <=
+                   2e-6f * fmaxf(fabsf(first[component]), 1));
     if (apart)
         fail_msg("%s, %s: %zu lanes", pictures[picture].name, ways[way].name, apart);
     free(rgba);

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { PANES = 21, LAYERS = 96, SIDE = 24, LANES = SIDE * SIDE * 4 };
+enum { PANES = 21, LAYERS = 96, SIDE = 24, COMPONENTS = SIDE * SIDE * 4 };
 
 /* Panes one above the other in no order, three pairs of them at one height, seen from above; a box
  * among them. */
@@ -58,7 +58,7 @@ static void assert_order(const Renderer *renderer, bool from_above)
 
 static float *read_frame(GlContext *gl, Renderer *renderer)
 {
-    float *rgba = calloc(LANES, sizeof *rgba);
+    float *rgba = calloc(COMPONENTS, sizeof *rgba);
     if (!renderer_frame(renderer) || !renderer_read(renderer, rgba))
         fail_msg("%s", gl->error);
     return rgba;
@@ -87,7 +87,7 @@ static void farthest_first(void **state)
         float *peeled = frame_floats(
             gl, scene,
             &(RendererOptions){.compile = &options, .view = "light", .transparency = "peeling"});
-        for (int i = 0; i < LANES; i++)
+        for (int i = 0; i < COMPONENTS; i++)
             assert_true(fabsf(rgba[i] - peeled[i]) <= 2e-6f * fmaxf(1, fabsf(peeled[i])));
         free(rgba);
         free(peeled);
@@ -136,7 +136,7 @@ static void runs_in_turns(void **state)
                                    &(RendererOptions){.compile = &options,
                                                       .view = "light",
                                                       .transparency = i ? "peeling" : "lists"});
-    for (int i = 0; i < LANES; i++)
+    for (int i = 0; i < COMPONENTS; i++)
         assert_true(fabsf(pictures[0][i] - pictures[1][i]) <=
                     4e-6f * fmaxf(1, fabsf(pictures[1][i])));
     free(pictures[0]);
@@ -178,11 +178,11 @@ static void every_layer_is_a_run(void **state)
         &(RendererOptions){.compile = &options, .view = "light", .transparency = "lists"});
     double left[3] = {1, 1, 1}, sum[3] = {0};
     for (int i = 0; i < RUNS; i++)
-        for (int lane = 0; lane < 3; lane++) {
-            sum[lane] += i % 3 == 0 ? left[lane] : 0;
-            left[lane] *= passes[(i + lane) % 3];
+        for (int component = 0; component < 3; component++) {
+            sum[component] += i % 3 == 0 ? left[component] : 0;
+            left[component] *= passes[(i + component) % 3];
         }
-    for (int i = 0; i < LANES; i++)
+    for (int i = 0; i < COMPONENTS; i++)
         if (i % 4 < 3)
             assert_true(fabs((double)lit[i] - sum[i % 4]) < .002 * sum[i % 4]);
     free(lit);
