@@ -22,7 +22,7 @@ Graph *compile_front(Session *session, uint32_t source, Tree **tree)
 }
 
 /* Removes a discard whose condition is known to be false. */
-static void drop_moot(Ir *ir)
+static void drop_constant_discard(Ir *ir)
 {
     int kept = 0;
     for (int i = 0; i < ir->output_count; i++)
@@ -108,7 +108,7 @@ Ir *compile_ir(Session *session, const Graph *graph, const Node *material, const
         return NULL;
     if (job->choice[AXIS_trigonometry] == CHOICE_trigonometry_bounded)
         opt_trigonometry(ir);
-    drop_moot(ir);
+    drop_constant_discard(ir);
     lint_bound(session, ir);
     constants_hoist(ir);
     opt_dead(ir);

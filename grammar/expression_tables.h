@@ -13,17 +13,17 @@ typedef enum {
     TERM_none = TERM_COUNT
 } Term;
 
-enum { TERM_MOST_ARGUMENTS = 5, TERM_MOST_DEFAULTS = 2 };
+enum { TERM_MAX_ARGUMENTS = 5, TERM_MAX_DEFAULTS = 2 };
 
 typedef struct {
     const char *name;
     const char *signature; /* letters of the arguments and the result, "gg>g": see expression.def */
     const char *doc;
-    const char *example;                /* a formula and its value: "formula = value" */
-    int count, least;                   /* number of arguments, and its min if some are optional */
-    double initial[TERM_MOST_DEFAULTS]; /* defaults of the optional ones */
-    int whole_low, whole_high;          /* range of a literal integer argument */
-    bool callable;                      /* called by its name; otherwise by its symbol only */
+    const char *example;               /* a formula and its value: "formula = value" */
+    int count, least;                  /* number of arguments, and its min if some are optional */
+    double initial[TERM_MAX_DEFAULTS]; /* defaults of the optional ones */
+    int whole_low, whole_high;         /* range of a literal integer argument */
+    bool callable;                     /* called by its name; otherwise by its symbol only */
     bool jumps;
     bool noisy; /* depends on --noise */
 } TermRow;

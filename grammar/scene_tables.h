@@ -47,7 +47,7 @@ typedef struct {
 /* Default of a plain parameter if the parameter `key` of the same kind has a certain keyword. */
 typedef struct {
     int key;
-    Word word;
+    Keyword word;
     int param;
     double value;
 } ScenePresetRow;

@@ -65,7 +65,7 @@ const ParamRow param_table[PARAM_COUNT] = {
 #include "maps.def"
 };
 
-const WordRow word_table[WORD_COUNT] = {
+const WordRow keyword_table[WORD_COUNT] = {
 #define WORD(list, name, doc) {PARAM_##list, #name, doc},
 #include "words.def"
 };
@@ -75,7 +75,7 @@ int word_of_truth(ParamKind list, bool yes)
     switch (list) {
 #define TRUTH(list, no_word, yes_word)                                                             \
     case PARAM_##list:                                                                             \
-        return yes ? WORD_##list##_##yes_word : WORD_##list##_##no_word;
+        return yes ? KEYWORD_##list##_##yes_word : KEYWORD_##list##_##no_word;
 #include "words.def"
     default:
         return -1;

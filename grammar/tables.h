@@ -98,15 +98,15 @@ typedef enum {
 
 /* Keywords of parameters. A parameter's number is its Word. */
 typedef enum {
-#define WORD(list, name, doc) WORD_##list##_##name,
+#define WORD(list, name, doc) KEYWORD_##list##_##name,
 #include "words.def"
     WORD_COUNT
-} Word;
+} Keyword;
 typedef struct {
     ParamKind list;
     const char *name, *doc;
 } WordRow;
-extern const WordRow word_table[WORD_COUNT];
+extern const WordRow keyword_table[WORD_COUNT];
 /* Returns the keyword of the list that false or true is equivalent to; -1: none. */
 int word_of_truth(ParamKind list, bool yes);
 

@@ -8,7 +8,7 @@
 #include <string.h>
 
 #define AREA_PI 3.14159265358979323846
-enum { AREA_MOST = 12 /* corners */ };
+enum { AREA_MAX = 12 /* corners */ };
 
 typedef struct {
     double corner[3], u[3], v[3]; /* seen from the point, which is the origin */
@@ -18,7 +18,7 @@ typedef struct {
 } AreaCase;
 
 typedef struct {
-    double corners[AREA_MOST][3];
+    double corners[AREA_MAX][3];
     int count;
 } AreaPolygon;
 

@@ -7,15 +7,7 @@
 #include <OpenEXR/openexr.h>
 #include <math.h>
 
-enum {
-    UINT = 0,
-    HALF = 1,
-    FLOAT = 2,
-    MOST_CHANNELS = 5,
-    UNCOMPRESSED = 0,
-    B44 = 6,
-    MOST_SIDE = 48
-};
+enum { UINT = 0, HALF = 1, FLOAT = 2, MAX_CHANNELS = 5, UNCOMPRESSED = 0, B44 = 6, MAX_SIDE = 48 };
 
 /* Windows as (least x, least y, greatest x, greatest y), y downwards. A type of `types` for each
  * letter of `channels`, which ascend; the last one has a sample in every `sampling` columns of
@@ -23,7 +15,7 @@ enum {
 typedef struct {
     int data[4], display[4];
     const char *channels;
-    int types[MOST_CHANNELS];
+    int types[MAX_CHANNELS];
     int compression, sampling, tile;
 } ExrHeader;
 
@@ -163,7 +155,7 @@ static inline float exr_wanted(const ExrHeader *h, int component, int x, int y)
 
 static inline void exr_check(PictureFile *file, const ExrHeader *h, bool opaque)
 {
-    static float texels[MOST_SIDE * MOST_SIDE * 4];
+    static float texels[MAX_SIDE * MAX_SIDE * 4];
     const int wide = h->display[2] - h->display[0] + 1, high = h->display[3] - h->display[1] + 1;
     for (int i = 0; i < wide * high * 4; i++)
         texels[i] =
@@ -193,8 +185,8 @@ static inline int64_t write_to(exr_const_context_t exr, void *user, const void *
 static inline void write_chunk(exr_context_t exr, const ExrHeader *h, const exr_chunk_info_t *info,
                                const int at[2])
 {
-    static float floats[MOST_CHANNELS][MOST_SIDE * MOST_SIDE];
-    static uint16_t halves[MOST_CHANNELS][MOST_SIDE * MOST_SIDE];
+    static float floats[MAX_CHANNELS][MAX_SIDE * MAX_SIDE];
+    static uint16_t halves[MAX_CHANNELS][MAX_SIDE * MAX_SIDE];
     exr_encode_pipeline_t pipe = EXR_ENCODE_PIPELINE_INITIALIZER;
     assert_int_equal(exr_encoding_initialize(exr, 0, info, &pipe), 0);
     for (int i = 0; i < pipe.channel_count; i++) {

@@ -8,10 +8,10 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { MOST_DOCUMENTS = 32 };
+enum { MAX_DOCUMENTS = 32 };
 
 typedef struct {
-    Document documents[MOST_DOCUMENTS];
+    Document documents[MAX_DOCUMENTS];
     int count;
     MatcRanges ranges;
     MatcLayout *layout;

@@ -3,7 +3,7 @@
 #define TESTS_MANIFEST_CASES_H
 #include "compiler/matc.h"
 
-enum { MOST_OPTIONS = 4, MOST_DOCUMENTS = 3 };
+enum { MAX_OPTIONS = 4, MAX_DOCUMENTS = 3 };
 
 /* -- documents */
 
@@ -47,7 +47,7 @@ static const Document documents[] = {
 /* -- manifests without keys and hashes; ' stands for a JSON quote, @ for the documents' folder */
 
 typedef struct {
-    const char *options[MOST_OPTIONS], *documents[MOST_DOCUMENTS], *manifest;
+    const char *options[MAX_OPTIONS], *documents[MAX_DOCUMENTS], *manifest;
 } Case;
 
 #define HEAD(target) "{'matc': '" MATC_VERSION "', 'target': '" target "', "

@@ -45,7 +45,7 @@ static inline void rule_check_values(const char *text, const Ir *before, const I
 {
     const ReferenceContext context = {.noise = before->noise};
     for (int i = 0; i < RULE_POINTS; i++) {
-        double inputs[INPUT_COUNT][4], a[MOST_OUTPUTS][4], b[MOST_OUTPUTS][4];
+        double inputs[INPUT_COUNT][4], a[MAX_OUTPUTS][4], b[MAX_OUTPUTS][4];
         rule_point(i, inputs);
         ir_eval(before, &context, (const double(*)[4])inputs, a);
         ir_eval(after, &context, (const double(*)[4])inputs, b);

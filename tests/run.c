@@ -15,7 +15,7 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { LONGEST_PATH = 1024, MOST_FILES = 4096 };
+enum { LONGEST_PATH = 1024, MAX_FILES = 4096 };
 
 typedef struct {
     bool update;
@@ -23,7 +23,7 @@ typedef struct {
 } Run;
 
 /* nftw has no user argument */
-static char *found[MOST_FILES];
+static char *found[MAX_FILES];
 static int found_count;
 
 static bool has_suffix(const char *path, const char *suffix)
@@ -41,7 +41,7 @@ static int remember(const char *path, const struct stat *info, int type, struct 
         has_suffix(path, ".yaml") || has_suffix(path, ".json") || strstr(path, "tests/ir/");
     /* tests/packaging/install.sh builds that example */
     wanted &= !strstr(path, "examples/engine/");
-    if (type == FTW_F && found_count < MOST_FILES && wanted && !has_suffix(path, ".out"))
+    if (type == FTW_F && found_count < MAX_FILES && wanted && !has_suffix(path, ".out"))
         found[found_count++] = strdup(path);
     return 0;
 }

@@ -147,6 +147,6 @@ void arena_keep_pages(void)
 {
 #ifdef __GLIBC__
     mallopt(M_MMAP_THRESHOLD, 4 * LARGEST_BLOCK);
-    mallopt(M_TRIM_THRESHOLD, ARENA_MOST_KEPT);
+    mallopt(M_TRIM_THRESHOLD, ARENA_MAX_KEPT);
 #endif
 }

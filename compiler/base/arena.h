@@ -33,11 +33,11 @@ void arena_free(Arena *arena);
 /* Moves all memory of `other` into `arena`, which frees it; `other` is empty afterwards. */
 void arena_adopt(Arena *arena, Arena *other);
 
-/* Tells malloc to retain freed memory, up to ARENA_MOST_KEPT bytes, instead of returning it to
+/* Tells malloc to retain freed memory, up to ARENA_MAX_KEPT bytes, instead of returning it to
  * the system. Meant for a process that compiles many times: by default glibc unmaps freed blocks
  * at once, and new pages have to be faulted in. The library leaves the choice to its host
  * process. */
-enum { ARENA_MOST_KEPT = 256 * 1024 * 1024 };
+enum { ARENA_MAX_KEPT = 256 * 1024 * 1024 };
 void arena_keep_pages(void);
 
 #define ARENA_NEW(arena, Type)          ((Type *)arena_zero(arena, sizeof(Type)))

@@ -36,7 +36,7 @@ typedef struct {
 } DiagList;
 
 #define NO_FILE UINT32_MAX
-enum { MOST_DIAGS = 100 };
+enum { MAX_DIAGS = 100 };
 /* The span of a diagnostic that concerns no file. */
 #define NO_SPAN ((Span){0, 0, NO_FILE})
 

@@ -1,9 +1,9 @@
-/* Adds diagnostics to a session: each one only once, and at most MOST_DIAGS. */
+/* Adds diagnostics to a session: each one only once, and at most MAX_DIAGS. */
 #include "compiler/base/session.h"
 #include "compiler/base/warnings.h"
 #include <string.h>
 
-bool diag_full(const Session *session) { return session->diags.count >= MOST_DIAGS; }
+bool diag_full(const Session *session) { return session->diags.count >= MAX_DIAGS; }
 
 const char *diag_suggest(const Session *session, const char *name, SuggestName *names,
                          const void *user, int count)
@@ -73,11 +73,11 @@ static bool comes_before(const Diag *a, const Diag *b)
                                         : a->span.start < b->span.start;
 }
 
-/* Insertion sort, fast enough for MOST_DIAGS entries: each diagnostic moves to its place
+/* Insertion sort, fast enough for MAX_DIAGS entries: each diagnostic moves to its place
  * together with its notes. */
 void diag_sort(DiagList *diags)
 {
-    Diag moved[MOST_DIAGS];
+    Diag moved[MAX_DIAGS];
     for (size_t i = 0, end; i < diags->count; i = end) {
         for (end = i + 1; end < diags->count && is_of_another(&diags->at[end]);)
             end++;

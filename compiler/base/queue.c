@@ -19,7 +19,7 @@ typedef struct {
     const Queue *queue;
     pthread_mutex_t mutex;
     pthread_cond_t changed;
-    Open open[MOST_THREADS];
+    Open open[MAX_THREADS];
     int open_count, next_document, opening;
 } Run;
 
@@ -125,13 +125,13 @@ static void run_alone(const Queue *queue)
 
 void queue_run(const Queue *queue)
 {
-    int threads = queue->threads < MOST_THREADS ? queue->threads : MOST_THREADS, started = 0;
+    int threads = queue->threads < MAX_THREADS ? queue->threads : MAX_THREADS, started = 0;
     if (threads <= 1) {
         run_alone(queue);
         return;
     }
     Run run = {.queue = queue};
-    pthread_t thread[MOST_THREADS];
+    pthread_t thread[MAX_THREADS];
     pthread_mutex_init(&run.mutex, NULL);
     pthread_cond_init(&run.changed, NULL);
     while (started < threads - 1 && !pthread_create(&thread[started], NULL, work, &run))
@@ -146,5 +146,5 @@ void queue_run(const Queue *queue)
 int queue_processors(void)
 {
     long count = sysconf(_SC_NPROCESSORS_ONLN);
-    return count < 1 ? 1 : count < MOST_THREADS ? (int)count : MOST_THREADS;
+    return count < 1 ? 1 : count < MAX_THREADS ? (int)count : MAX_THREADS;
 }

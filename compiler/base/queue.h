@@ -12,11 +12,11 @@ typedef struct {
     void *user;
 } Queue;
 
-enum { MOST_THREADS = 256 };
+enum { MAX_THREADS = 256 };
 
 /* Returns when all documents are closed. With a single thread no thread is started, and
  * documents and parts run in order. */
 void queue_run(const Queue *queue);
-/* Returns the number of online processors, at least 1, at most MOST_THREADS. */
+/* Returns the number of online processors, at least 1, at most MAX_THREADS. */
 int queue_processors(void);
 #endif

@@ -6,7 +6,7 @@
 #include <signal.h>
 #include <stdlib.h>
 
-enum { LEAST_KIB = 256 }; /* stack of functions that do not recurse */
+enum { MIN_KIB = 256 }; /* stack of functions that do not recurse */
 
 typedef struct {
     void (*run)(void *user);
@@ -42,7 +42,7 @@ void stack_run(int depth, void (*run)(void *user), void *user)
     sigset_t all, before;
     sigfillset(&all);
     pthread_sigmask(SIG_SETMASK, &all, &before); /* The new thread inherits the signal mask. */
-    if (!start(&thread, &call, (LEAST_KIB + (size_t)depth * LIMIT_LEVEL_KIB) * 1024))
+    if (!start(&thread, &call, (MIN_KIB + (size_t)depth * LIMIT_LEVEL_KIB) * 1024))
         memory_exhausted();
     pthread_join(thread, NULL);
     pthread_sigmask(SIG_SETMASK, &before, NULL);

@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { NUMBER_ROOM = 40, FORMAT_ROOM = 128, MOST_PLACES = 11, SIMPLE_DIGITS = 15 };
+enum { NUMBER_ROOM = 40, FORMAT_ROOM = 128, MAX_PLACES = 11, SIMPLE_DIGITS = 15 };
 
 /* The thread's locale is "C" between enter() and leave(), which restores the previous locale. */
 typedef struct {
@@ -155,7 +155,7 @@ static bool short_decimal(Text *text, double value, bool is_float)
  * away, or exactly half and m is even. All numbers are in units of 2^(q - 1) / 10^places. */
 static bool ordinary_float(Text *text, double value)
 {
-    static const uint64_t power[MOST_PLACES + 1] = {
+    static const uint64_t power[MAX_PLACES + 1] = {
         1,       10,       100,       1000,       10000,       100000,
         1000000, 10000000, 100000000, 1000000000, 10000000000, 100000000000};
     int q;
@@ -165,7 +165,7 @@ static bool ordinary_float(Text *text, double value)
     if (!(size >= 1e-3 && size < 1e6) || m == 1 << (FLT_MANT_DIG - 1))
         return false;
     const int shift = FLT_MANT_DIG + 1 - q; /* 1 << shift is 1 / 10^places */
-    for (int places = 0; places <= MOST_PLACES; places++) {
+    for (int places = 0; places <= MAX_PLACES; places++) {
         uint64_t scaled = 2 * m * power[places], whole = scaled >> shift,
                  rest = scaled - (whole << shift);
         uint64_t half = (uint64_t)1 << (shift - 1);

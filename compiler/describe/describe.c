@@ -39,7 +39,7 @@ void describe_default(Text *out, const ParamRow *param, const char *preset)
     } else if (param->type == PARAM_Bool) {
         text_put(out, initial(param, 0, preset) != 0 ? "true" : "false");
     } else if (param_is_word(param)) {
-        text_put(out, word_table[(int)param->init[0]].name);
+        text_put(out, keyword_table[(int)param->init[0]].name);
     } else if (param->components == 1) {
         text_plain(out, initial(param, 0, preset));
     } else {

@@ -3,7 +3,7 @@
 #include "compiler/describe/describe.h"
 #include <string.h>
 
-enum { PARAMS = PARAM_COUNT + SCENE_PARAM_COUNT, WORD_WIDTH = 14 };
+enum { PARAMS = PARAM_COUNT + SCENE_PARAM_COUNT, KEYWORD_WIDTH = 14 };
 
 /* Parameters of maps and materials, then those of scenes. */
 static const ParamRow *row_of(int i)
@@ -43,8 +43,9 @@ static bool says_same(Arena *arena, int a, int b)
 static void put_choices(Text *out, const ParamRow *row)
 {
     for (int i = 0; i < WORD_COUNT && param_is_word(row); i++)
-        if (word_table[i].list == row->type)
-            text_format(out, "  %-*s  %s\n", WORD_WIDTH, word_table[i].name, word_table[i].doc);
+        if (keyword_table[i].list == row->type)
+            text_format(out, "  %-*s  %s\n", KEYWORD_WIDTH, keyword_table[i].name,
+                        keyword_table[i].doc);
 }
 
 /* Writes a paragraph for all owners of parameters that are described like the i-th. */
@@ -89,7 +90,8 @@ static const char *param_with(ParamKind list)
 void describe_words(Text *out, const char *name, DescribeCompare *same)
 {
     for (int i = 0; i < WORD_COUNT; i++)
-        if (same(name, word_table[i].name) == 0)
-            text_format(out, "%s%s (choice of %s)\n%s\n", out->size ? "\n" : "", word_table[i].name,
-                        param_with(word_table[i].list), word_table[i].doc);
+        if (same(name, keyword_table[i].name) == 0)
+            text_format(out, "%s%s (choice of %s)\n%s\n", out->size ? "\n" : "",
+                        keyword_table[i].name, param_with(keyword_table[i].list),
+                        keyword_table[i].doc);
 }

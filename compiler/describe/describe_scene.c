@@ -60,7 +60,7 @@ static void put_preset_value(Text *out, const ScenePresetRow *row)
     const ParamRow *param = &scene_param_table[row->param].param;
     text_format(out, "%s: ", param->name);
     if (param_is_word(param))
-        text_put(out, word_table[(int)row->value].name);
+        text_put(out, keyword_table[(int)row->value].name);
     else
         text_plain(out, row->value);
 }
@@ -81,7 +81,7 @@ static void put_presets(Text *out, SceneKind kind)
             text_put(out, "\nValues of parameters that are not given, by words of others\n");
         if (!same)
             text_format(out, "%s  %s: %-*s", before ? "\n" : "", key->param.name,
-                        WIDTH - (int)strlen(key->param.name), word_table[row->word].name);
+                        WIDTH - (int)strlen(key->param.name), keyword_table[row->word].name);
         text_put(out, same ? ", " : "");
         put_preset_value(out, row);
         before = row;

@@ -194,13 +194,13 @@ static void put_color(Text *out)
 static void put_words(Text *out)
 {
     for (int i = 0; i < WORD_COUNT; i++) {
-        bool first = !i || word_table[i - 1].list != word_table[i].list;
-        bool last = i + 1 == WORD_COUNT || word_table[i + 1].list != word_table[i].list;
+        bool first = !i || keyword_table[i - 1].list != keyword_table[i].list;
+        bool last = i + 1 == WORD_COUNT || keyword_table[i + 1].list != keyword_table[i].list;
         if (first)
             text_format(out, "    \"%s\": {\"enum\": [null%s",
-                        describe_word_list(word_table[i].list),
-                        word_of_truth(word_table[i].list, true) < 0 ? "" : ", false, true");
-        text_format(out, ", \"%s\"%s", word_table[i].name, last ? "]},\n" : "");
+                        describe_word_list(keyword_table[i].list),
+                        word_of_truth(keyword_table[i].list, true) < 0 ? "" : ", false, true");
+        text_format(out, ", \"%s\"%s", keyword_table[i].name, last ? "]},\n" : "");
     }
 }
 

@@ -55,7 +55,7 @@ static const NormalFeed normal_feeds[] = {
 };
 enum {
     NORMAL_FEEDS = sizeof normal_feeds / sizeof *normal_feeds,
-    MOST_READ = MOVE_ATTRIBUTES + NORMAL_FEEDS
+    MAX_READ = MOVE_ATTRIBUTES + NORMAL_FEEDS
 };
 
 static const char position[] = "vec3 position", normal[] = "vec3 normal";
@@ -75,7 +75,7 @@ static int with(const char **list, int count, const char *declaration)
 
 /* Lists the declarations of the attributes that are read, such as "vec3 position". Returns their
  * number. */
-static int list_read(const VertexMove *move, const char *list[MOST_READ])
+static int list_read(const VertexMove *move, const char *list[MAX_READ])
 {
     bool moves[MOVE_ATTRIBUTES] = {0};
     int count = with(list, 0, position);
@@ -94,9 +94,9 @@ static int list_read(const VertexMove *move, const char *list[MOST_READ])
 
 /* Lists the declarations of the block's members in order. Returns their number. */
 static int list_members(Arena *arena, const VertexMove *move,
-                        const char *list[MOST_READ + WRITTEN + 3])
+                        const char *list[MAX_READ + WRITTEN + 3])
 {
-    const char *read[MOST_READ];
+    const char *read[MAX_READ];
     const int reads = list_read(move, read);
     int count = 0;
     list[count++] = "mat4 matc_outFromWorld";
@@ -113,7 +113,7 @@ static int list_members(Arena *arena, const VertexMove *move,
 
 static void put_buffers(Text *out, Arena *arena, const Job *job, const VertexMove *move)
 {
-    const char *members[MOST_READ + WRITTEN + 3];
+    const char *members[MAX_READ + WRITTEN + 3];
     const int count = list_members(arena, move, members);
     const bool vulkan = target_table[job->target].spirv;
     text_format(out,
@@ -164,7 +164,7 @@ static void put_normal(Text *out, const VertexMove *move)
 
 static void put_main(Text *out, const VertexMove *move)
 {
-    const char *read[MOST_READ];
+    const char *read[MAX_READ];
     const int reads = list_read(move, read);
     text_format(out,
                 "// Groups may lie in two rows and more: one row has 65,535 at most.\nvoid main() "
@@ -186,7 +186,7 @@ static void put_main(Text *out, const VertexMove *move)
 
 static bool has_coordinates(const VertexMove *move)
 {
-    const char *read[MOST_READ];
+    const char *read[MAX_READ];
     for (int i = list_read(move, read); i-- > 0;)
         if (!strncmp(read[i], "vec2", 4))
             return true;
@@ -234,7 +234,7 @@ void compute_describe(Text *out, const Job *job, const Interface *interface)
 {
     static const char *const places[] = {"mat4 matc_worldFromLocal",
                                          "mat3 matc_worldNormalFromLocal"};
-    const char *read[MOST_READ], *members[MOST_READ + WRITTEN + 3];
+    const char *read[MAX_READ], *members[MAX_READ + WRITTEN + 3];
     const int reads = list_read(interface->compute, read),
               count = list_members(out->arena, interface->compute, members);
     const bool vulkan = target_table[job->target].spirv;

@@ -73,7 +73,7 @@ static void put_function(Scope *e, Text *out, int number)
 }
 
 /* Lists the roots of the fragment program: its output values. */
-static int roots_of(const Ir *ir, Ref roots[MOST_OUTPUTS])
+static int roots_of(const Ir *ir, Ref roots[MAX_OUTPUTS])
 {
     int count = 0;
     for (int i = 0; i < ir->output_count; i++)
@@ -182,7 +182,7 @@ static void declare_changes(Text *out, const Interface *interface)
 static void put_main(Scope *e, Text *out)
 {
     const Ir *ir = e->ir;
-    Ref roots[MOST_OUTPUTS];
+    Ref roots[MAX_OUTPUTS];
     Text body = text_new(e->session->arena);
     const int count = roots_of(ir, roots);
     emit_scope_open(e, NULL, roots, count);
@@ -340,7 +340,7 @@ const char *emit_fragment(Session *session, const Ir *ir, const Job *job, Interf
                           size_t *size)
 {
     Arena scratch = {0};
-    Ref roots[MOST_OUTPUTS];
+    Ref roots[MAX_OUTPUTS];
     Interface own = new_interface(session, ir);
     own.instances = job->instances;
     Text functions = text_new(session->arena), body = text_new(session->arena),

@@ -37,11 +37,11 @@ static bool *averaged_textures(Session *session, const Ir *ir, const Interface *
 }
 
 /* Returns the name of an Address, in the order of words.def. */
-static const char *wrap_name(Word wrap)
+static const char *wrap_name(Keyword wrap)
 {
     static const char *const names[] = {"repeat", "mirrored_repeat", "clamp_to_edge",
                                         "clamp_to_border"};
-    return names[wrap - WORD_Address_repeat];
+    return names[wrap - KEYWORD_Address_repeat];
 }
 
 static MatcTexture of_document(Session *session, const Ir *ir, int i, bool averaged)
@@ -86,7 +86,7 @@ int texture_list(Session *session, const Ir *ir, const Interface *interface, Mat
                                              .components = tables[i].components,
                                              .format = texels_table[tables[i].texels].name,
                                              .anisotropy = 1,
-                                             .wrap = wrap_name(WORD_Address_repeat)};
+                                             .wrap = wrap_name(KEYWORD_Address_repeat)};
         }
     return count;
 }

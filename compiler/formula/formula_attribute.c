@@ -83,12 +83,12 @@ static bool read_number(FormulaReader *r, double *number)
 }
 
 /* Parses [1, 0, -2] after its bracket. Returns the number of components, 0 for a fault. */
-static int read_list(FormulaReader *r, double components[FORMULA_MOST_COMPONENTS])
+static int read_list(FormulaReader *r, double components[FORMULA_MAX_COMPONENTS])
 {
     int count = 0;
     formula_next(r);
     do {
-        if (count == FORMULA_MOST_COMPONENTS) {
+        if (count == FORMULA_MAX_COMPONENTS) {
             say(r, "']'");
             return 0;
         }
@@ -101,7 +101,7 @@ static int read_list(FormulaReader *r, double components[FORMULA_MOST_COMPONENTS
     return count;
 }
 
-static int read_components(FormulaReader *r, double components[FORMULA_MOST_COMPONENTS])
+static int read_components(FormulaReader *r, double components[FORMULA_MAX_COMPONENTS])
 {
     if (formula_is(r, "["))
         return read_list(r, components);
@@ -121,7 +121,7 @@ static bool read_default(FormulaReader *r, FormulaAttribute *made)
     const int count = read_components(r, made->initial);
     if (!count)
         return false;
-    for (int i = 1; count == 1 && i < FORMULA_MOST_COMPONENTS; i++)
+    for (int i = 1; count == 1 && i < FORMULA_MAX_COMPONENTS; i++)
         made->initial[i] = made->initial[0];
     if (count == 3 && components == 4 && first.kind == TOKEN_color)
         made->initial[3] = 1;

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { MOST_COMPONENTS = 4, MOST_POWER = 64 };
+enum { MAX_COMPONENTS = 4, MAX_POWER = 64 };
 
 typedef struct {
     const FormulaSource *s;
@@ -44,7 +44,7 @@ static const char *component_names(int width)
 {
     static const char *const names[] = {"xyzw, rgba or uvw", "x, r or u", "xy, rg or uv",
                                         "xyz, rgb or uvw"};
-    return width < 0 || width == MOST_COMPONENTS ? names[0] : names[width];
+    return width < 0 || width == MAX_COMPONENTS ? names[0] : names[width];
 }
 
 static int fail(Check *c)
@@ -197,7 +197,7 @@ static void make_power(Check *c, FormulaStep *step)
 {
     double number;
     if (step->row != TERM_pow || !whole_of(c, argument(c, step, 1), &number) ||
-        fabs(number) > MOST_POWER)
+        fabs(number) > MAX_POWER)
         return;
     step->kind = FORMULA_power;
     step->number = number;
@@ -254,7 +254,7 @@ static int check_list(Check *c, const FormulaStep *step)
     }
     if (step->row && (components == step->row || (components == 1 && step->count == 1)))
         return step->row;
-    if (!step->row && components >= 1 && components <= MOST_COMPONENTS)
+    if (!step->row && components >= 1 && components <= MAX_COMPONENTS)
         return components;
     if (step->row)
         diag_add(c->session, span_of(c, step), DIAG_formula_vector,

@@ -17,7 +17,7 @@ static bool is_swizzle(const char *letters)
 {
     static const char *const sets[] = {"xyzw", "rgba", "uvw"};
     for (size_t i = 0; i < sizeof sets / sizeof *sets; i++)
-        if (strlen(letters) <= FORMULA_MOST_COMPONENTS &&
+        if (strlen(letters) <= FORMULA_MAX_COMPONENTS &&
             strspn(letters, sets[i]) == strlen(letters))
             return true;
     return false;
@@ -55,7 +55,7 @@ static void read_index(FormulaReader *r)
     formula_next(r);
     step.end = r->token.end;
     if (index.kind != TOKEN_number || !formula_is(r, "]") || index.number != (int)index.number ||
-        index.number < 0 || index.number >= FORMULA_MOST_COMPONENTS) {
+        index.number < 0 || index.number >= FORMULA_MAX_COMPONENTS) {
         r->faults++;
         diag_add(
             r->session, formula_span(r, step.start, step.end), DIAG_formula_lanes, "a value",

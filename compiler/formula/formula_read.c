@@ -15,14 +15,14 @@ static uint32_t read_value(FormulaReader *r)
 {
     bool behind = false, ended = false;
     r->operand_count = r->wait_count = 0;
-    while (!ended && r->faults < FORMULA_MOST_FAULTS)
+    while (!ended && r->faults < FORMULA_MAX_FAULTS)
         behind = behind ? formula_operator(r, &ended) : formula_operand(r);
     if (!ended) /* after too many faults stacked operators may lack operands */
         return 0;
     for (formula_reduce_to(r, level_none, true); r->wait_count;
          formula_reduce_to(r, level_none, true)) {
         const FormulaWait *open = &r->waits[--r->wait_count];
-        if (r->faults++ < FORMULA_MOST_FAULTS)
+        if (r->faults++ < FORMULA_MAX_FAULTS)
             diag_add(
                 r->session, formula_span(r, open->start, open->end), DIAG_formula_not_closed,
                 formula_token_text(
@@ -81,12 +81,12 @@ static void pass_type(FormulaReader *r)
 /* Parses a formula: { name "=" value ";" } value [ ";" ] */
 static void read_parts(FormulaReader *r)
 {
-    for (pass_type(r); is_local(r) && r->faults < FORMULA_MOST_FAULTS; pass_type(r)) {
+    for (pass_type(r); is_local(r) && r->faults < FORMULA_MAX_FAULTS; pass_type(r)) {
         read_local(r);
         if (formula_is(r, ";"))
             formula_next(r);
     }
-    if (r->faults >= FORMULA_MOST_FAULTS)
+    if (r->faults >= FORMULA_MAX_FAULTS)
         return;
     if (r->token.kind == TOKEN_end) {
         formula_report(r, DIAG_formula_no_value);
@@ -95,7 +95,7 @@ static void read_parts(FormulaReader *r)
     r->f->result = read_value(r);
     if (formula_is(r, ";"))
         formula_next(r);
-    if (r->faults < FORMULA_MOST_FAULTS && r->token.kind != TOKEN_end)
+    if (r->faults < FORMULA_MAX_FAULTS && r->token.kind != TOKEN_end)
         formula_report(r, DIAG_formula_ends);
 }
 

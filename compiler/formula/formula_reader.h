@@ -3,7 +3,7 @@
 #define MATC_FORMULA_READER_H
 #include "compiler/formula/formula_lex.h"
 
-enum { FORMULA_MOST_FAULTS = 8, FORMULA_MOST_COMPONENTS = 4 };
+enum { FORMULA_MAX_FAULTS = 8, FORMULA_MAX_COMPONENTS = 4 };
 
 /* An entry of the operator stack: an operator, an open bracket, or half of a conditional. */
 typedef enum {

@@ -49,7 +49,7 @@ void formula_reduce(FormulaReader *r)
     if (wait.kind == WAIT_question) {
         /* Computing a span takes time proportional to its offset, so faults above the limit get
          * none. */
-        if (r->faults++ < FORMULA_MOST_FAULTS)
+        if (r->faults++ < FORMULA_MAX_FAULTS)
             diag_add(r->session, formula_span(r, wait.start, wait.end), DIAG_formula_choice, "':'");
         formula_push_fault(r);
     }

@@ -7,7 +7,7 @@
 #include <math.h>
 #include <string.h>
 
-static const double LEAST_DIVISOR = 1e-30, LEAST_BASE = 1e-37, GREATEST_POWER = 1e37;
+static const double MIN_DIVISOR = 1e-30, MIN_BASE = 1e-37, GREATEST_POWER = 1e37;
 
 /* Arguments of a term that does not work per component. */
 typedef struct {
@@ -16,10 +16,10 @@ typedef struct {
     const void *noise;
 } Whole;
 
-static double quotient(double a, double b) { return fabs(b) < LEAST_DIVISOR ? 0 : a / b; }
+static double quotient(double a, double b) { return fabs(b) < MIN_DIVISOR ? 0 : a / b; }
 static double remainder_of(double a, double b)
 {
-    return fabs(b) < LEAST_DIVISOR ? 0 : a - b * floor(a / b);
+    return fabs(b) < MIN_DIVISOR ? 0 : a - b * floor(a / b);
 }
 static double share_of(double low, double high, double x)
 {
@@ -120,7 +120,7 @@ static void hsv_of(const Whole *w, double *result)
     double sixth = most == r   ? quotient(g - b, spread)
                    : most == g ? 2 + quotient(b - r, spread)
                                : 4 + quotient(r - g, spread);
-    if (spread < LEAST_DIVISOR)
+    if (spread < MIN_DIVISOR)
         sixth = 0;
     result[0] = sixth / 6 - floor(sixth / 6);
     result[1] = quotient(spread, most);
@@ -244,7 +244,7 @@ static void term_value(const Formula *f, const FormulaStep *step, const FormulaP
                        double *result)
 {
     static const double zeros[4];
-    const double *args[TERM_MOST_ARGUMENTS] = {zeros, zeros, zeros, zeros, zeros};
+    const double *args[TERM_MAX_ARGUMENTS] = {zeros, zeros, zeros, zeros, zeros};
     Whole whole = {.components = 1, .noise = point->noise};
     for (uint32_t i = 0; i < step->count; i++) {
         const uint32_t number = formula_argument(f, step, i);
@@ -256,9 +256,9 @@ static void term_value(const Formula *f, const FormulaStep *step, const FormulaP
     if (whole_value((Term)step->row, &whole, result))
         return;
     for (int component = 0; component < components_of(step); component++) {
-        const double x[TERM_MOST_ARGUMENTS] = {args[0][component], args[1][component],
-                                               args[2][component], args[3][component],
-                                               args[4][component]};
+        const double x[TERM_MAX_ARGUMENTS] = {args[0][component], args[1][component],
+                                              args[2][component], args[3][component],
+                                              args[4][component]};
         result[component] = component_value((Term)step->row, x);
     }
 }

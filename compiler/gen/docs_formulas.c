@@ -15,8 +15,8 @@ enum { LONGEST = 512 };
 /* Returns an expression for the i-th argument by its letter of the signature. */
 static const char *argument(char letter, int i)
 {
-    static const char *const numbers[TERM_MOST_ARGUMENTS] = {"(8 * u - 4)", "(4 * v - 2)", ".5",
-                                                             ".25", ".75"};
+    static const char *const numbers[TERM_MAX_ARGUMENTS] = {"(8 * u - 4)", "(4 * v - 2)", ".5",
+                                                            ".25", ".75"};
     switch (letter) {
     case 'b':
         return i ? "(v < .5)" : "(u < .5)";

@@ -61,7 +61,7 @@ static int find_value(const Layout *layout, const char *word, size_t size, int *
     return 0;
 }
 
-/* Evaluates a sum of products such as "4 * LIGHTS_MOST + 2". Returns 0 for an unknown name. */
+/* Evaluates a sum of products such as "4 * LIGHTS_MAX + 2". Returns 0 for an unknown name. */
 static int evaluate(const Layout *layout, const char *text, int *result)
 {
     int sum = 0, product = 1, value;

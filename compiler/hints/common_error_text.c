@@ -6,7 +6,7 @@
 #include "compiler/hints/common_error.h"
 #include <string.h>
 
-enum { MOST_SHOWN = 80 }; /* max bytes of a text that a hint repeats */
+enum { MAX_SHOWN = 80 }; /* max bytes of a text that a hint repeats */
 
 /* Returns "0.1 0.2 0.3" or "(0.1, 0.2, 0.3)" as a list in brackets; NULL: the text is no list of
  * numbers. */
@@ -30,7 +30,7 @@ static const char *list_of(const Session *session, const char *text)
 
 bool common_error_list(Resolver *r, const Tree *tree)
 {
-    if (tree->kind != TREE_scalar || !tree->plain || tree->count > MOST_SHOWN)
+    if (tree->kind != TREE_scalar || !tree->plain || tree->count > MAX_SHOWN)
         return false;
     const char *list = list_of(r->session, tree->text);
     if (list && r->one_number && r->param)
@@ -82,7 +82,7 @@ bool common_error_formula(Resolver *r, const Tree *tree)
     if (!looks_like_formula(tree->text, tree->count))
         return false;
     diag_add(r->session, tree->span, DIAG_bare_formula,
-             tree->count > MOST_SHOWN ? "..." : tree->text);
+             tree->count > MAX_SHOWN ? "..." : tree->text);
     return true;
 }
 

@@ -142,7 +142,7 @@ static void lint_lost(Session *session, const Node *material)
     }
 }
 
-static const double LEAST_FUZZ = .2; /* minimum in surface_principled.glsl */
+static const double MIN_FUZZ = .2; /* minimum in surface_principled.glsl */
 /* min value of a color's largest component for which integer components look like bytes */
 enum { LOOKS_LIKE_BYTE = 16, BYTE = 255 };
 
@@ -477,7 +477,7 @@ static void lint_fuzz(const LintFindings *d, const Node *node)
     const Span span = rough->span;
     if (rough->kind == VALUE_node && rough->node->kind == KIND_Constant)
         rough = &rough->node->params[0];
-    if (components_of(rough, &components) && components[0] < LEAST_FUZZ)
+    if (components_of(rough, &components) && components[0] < MIN_FUZZ)
         diag_add(d->session, span, DIAG_narrow_fuzz);
 }
 

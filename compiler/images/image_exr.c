@@ -15,13 +15,13 @@
 
 enum {
     COMPONENTS = 4,
-    MOST_HEADER = 1 << 18, /* bytes: the library takes quadratic time for long headers */
+    MAX_HEADER = 1 << 18, /* bytes: the library takes quadratic time for long headers */
     /* Max bytes of one allocation of the library: a block of lines, a tile, or a table of them. */
-    MOST_ALLOCATION = 256 << 20,
+    MAX_ALLOCATION = 256 << 20,
     /* Min bytes of a block of lines or a tile: its table entry and its header. */
-    LEAST_CHUNK = 16,
-    MOST_DEFLATED = 1032, /* max expansion ratio of deflate */
-    MOST_RUN = 64,        /* max ratio of run-length encoding: 128 bytes from 2 */
+    MIN_CHUNK = 16,
+    MAX_DEFLATED = 1032, /* max expansion ratio of deflate */
+    MAX_RUN = 64,        /* max ratio of run-length encoding: 128 bytes from 2 */
 };
 
 static const char
@@ -86,7 +86,7 @@ static bool done(ExrReader *d, exr_result_t code)
                                                  : exr_get_default_error_message(code));
 }
 
-static void *on_allocate(size_t size) { return size > MOST_ALLOCATION ? NULL : calloc(1, size); }
+static void *on_allocate(size_t size) { return size > MAX_ALLOCATION ? NULL : calloc(1, size); }
 
 static int64_t on_size(exr_const_context_t exr, void *user)
 {
@@ -101,7 +101,7 @@ static int64_t on_read(exr_const_context_t exr, void *user, void *to, uint64_t s
     ExrReader *d = user;
     const uint64_t all = (uint64_t)(d->file->end - d->file->at);
     (void)exr, (void)say;
-    if (!d->header_read && offset > MOST_HEADER) {
+    if (!d->header_read && offset > MAX_HEADER) {
         fail(d, "its header is too long");
         return -1;
     }
@@ -227,9 +227,9 @@ static bool read_header(ExrReader *d)
 static bool check_size(ExrReader *d)
 {
     static const double most[] = {[EXR_COMPRESSION_NONE] = 1,
-                                  [EXR_COMPRESSION_RLE] = MOST_RUN,
-                                  [EXR_COMPRESSION_ZIPS] = MOST_DEFLATED,
-                                  [EXR_COMPRESSION_ZIP] = MOST_DEFLATED,
+                                  [EXR_COMPRESSION_RLE] = MAX_RUN,
+                                  [EXR_COMPRESSION_ZIPS] = MAX_DEFLATED,
+                                  [EXR_COMPRESSION_ZIP] = MAX_DEFLATED,
                                   [EXR_COMPRESSION_PIZ] = INFINITY};
     const double bytes = (double)(d->file->end - d->file->at);
     exr_compression_t compression;
@@ -246,7 +246,7 @@ static bool check_size(ExrReader *d)
     }
     if (unpacked > (double)LIMIT_PIXELS_MIB * (1 << 20))
         return fail(d, image_file_too_large);
-    return ((double)chunks * LEAST_CHUNK <= bytes && unpacked <= most[compression] * bytes) ||
+    return ((double)chunks * MIN_CHUNK <= bytes && unpacked <= most[compression] * bytes) ||
            fail(d, image_file_cut);
 }
 

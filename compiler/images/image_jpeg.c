@@ -12,9 +12,9 @@
 enum {
     /* Max scans of a progressive file, each of which covers the whole image; encoders write
      * about ten. */
-    MOST_SCANS = 128,
-    BLOCK = 8,            /* texels along a block's edge */
-    LEAST_BLOCK_BITS = 1, /* min bits of a block in a file: a code of one bit */
+    MAX_SCANS = 128,
+    BLOCK = 8,          /* texels along a block's edge */
+    MIN_BLOCK_BITS = 1, /* min bits of a block in a file: a code of one bit */
 };
 
 /* Lives outside the function that calls setjmp, so longjmp of libjpeg's errors preserves it. */
@@ -72,7 +72,7 @@ static void on_skip(j_decompress_ptr jpeg, long count)
 
 static void on_progress(j_common_ptr jpeg)
 {
-    if (((j_decompress_ptr)jpeg)->input_scan_number > MOST_SCANS)
+    if (((j_decompress_ptr)jpeg)->input_scan_number > MAX_SCANS)
         fail(reader_of(jpeg), "it has too many scans");
 }
 
@@ -133,7 +133,7 @@ static void check_size(JpegReader *d)
 {
     const size_t wide = ((size_t)d->file->image->width + BLOCK - 1) / BLOCK;
     const size_t high = ((size_t)d->file->image->height + BLOCK - 1) / BLOCK;
-    if (wide * high * LEAST_BLOCK_BITS / 8 > d->source.bytes_in_buffer)
+    if (wide * high * MIN_BLOCK_BITS / 8 > d->source.bytes_in_buffer)
         fail(d, image_file_cut);
     /* limits the memory of a progressive file's coefficients */
     d->jpeg.mem->max_memory_to_use = (long)LIMIT_PIXELS_MIB << 20;

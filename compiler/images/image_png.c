@@ -18,7 +18,7 @@ typedef struct {
     const char *why; /* message of the fault */
 } PngReader;
 
-enum { MOST_DEFLATED = 1032 }; /* max expansion ratio of deflate */
+enum { MAX_DEFLATED = 1032 }; /* max expansion ratio of deflate */
 
 static void on_error(png_structp png, png_const_charp message)
 {
@@ -63,7 +63,7 @@ static void convert_to_rgba(PngReader *d)
  * able to hold all rows. */
 static void check_size(PngReader *d, size_t row_bytes)
 {
-    if (row_bytes * (size_t)d->file->image->height / MOST_DEFLATED >
+    if (row_bytes * (size_t)d->file->image->height / MAX_DEFLATED >
         (size_t)(d->file->end - d->file->at))
         png_error(d->png, image_file_cut);
 }

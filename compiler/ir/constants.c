@@ -101,7 +101,7 @@ void constants_hoist(Ir *ir)
         if (!needed[ref])
             continue;
         if (known[ref] && from_buffer[ref] && constant_storable((Type)node->type)) {
-            become_constant(ir, ref, known[ref], made++ < MOST_CONSTANTS);
+            become_constant(ir, ref, known[ref], made++ < MAX_CONSTANTS);
             continue;
         }
         if (ir_applies(ir, ref))

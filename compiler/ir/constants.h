@@ -7,7 +7,7 @@
 
 /* Max constants of a program: each takes at most 16 bytes, and every OpenGL supports blocks of
  * 16 KiB. Further numbers stay literals. */
-enum { MOST_CONSTANTS = 1024 };
+enum { MAX_CONSTANTS = 1024 };
 
 /* Replaces values that depend only on literals and constants of the block by new constants,
  * computed once on the host. Runs last, before opt_dead. */

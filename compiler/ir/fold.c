@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { MOST_CALL_NUMBERS = 64 };
+enum { MAX_CALL_NUMBERS = 64 };
 
 static double component_value(Op op, double a, double b, double c)
 {
@@ -51,7 +51,7 @@ typedef struct {
 
 static void fold_call(const Site *s, double *result)
 {
-    double numbers[MOST_CALL_NUMBERS];
+    double numbers[MAX_CALL_NUMBERS];
     int used = 0;
     for (int i = 0; i < s->node->count; i++)
         for (int component = 0; component < type_table[s->args[i].type].components; component++)

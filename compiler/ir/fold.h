@@ -18,7 +18,7 @@ bool fold_value(const ReferenceContext *context, const IrNode *node, const FoldA
  * document. inputs[Input] describe the point; textures come from the context. result[i] holds
  * the components of output i. ir_eval.c. */
 void ir_eval(const Ir *ir, const ReferenceContext *context, const double inputs[INPUT_COUNT][4],
-             double result[MOST_OUTPUTS][4]);
+             double result[MAX_OUTPUTS][4]);
 /* Hook that changes each component of each node's value, to model rounding of a machine with
  * lower precision, or other errors. */
 typedef struct {
@@ -27,5 +27,5 @@ typedef struct {
 } IrRounding;
 void ir_eval_rounded(const Ir *ir, const ReferenceContext *context,
                      const double inputs[INPUT_COUNT][4], const IrRounding *rounding,
-                     double result[MOST_OUTPUTS][4]);
+                     double result[MAX_OUTPUTS][4]);
 #endif

@@ -112,7 +112,7 @@ typedef struct {
     bool srgb;
     bool floats;   /* image with unbounded values (floating point) */
     Texels texels; /* texel format of the program's texture */
-    Word wrap;     /* address mode outside [0, 1]: an Address of words.def */
+    Keyword wrap;  /* address mode outside [0, 1]: an Address of words.def */
 } IrTexture;
 
 /* A number that a program reads from a uniform block, so that materials that differ in the
@@ -131,8 +131,8 @@ typedef struct {
 /* Transparency, as far as lowering can decide it. */
 typedef enum { OPACITY_unknown, OPACITY_opaque, OPACITY_transparent, OPACITY_varying } Opacity;
 
-enum { MOST_OUTPUTS = 32 }; /* render targets, or all slots, plus discard and depth */
-_Static_assert((int)MOST_OUTPUTS >= (int)SLOT_COUNT, "a value of every slot");
+enum { MAX_OUTPUTS = 32 }; /* render targets, or all slots, plus discard and depth */
+_Static_assert((int)MAX_OUTPUTS >= (int)SLOT_COUNT, "a value of every slot");
 
 /* Returns the node that replaces a new node, or the node itself. */
 struct Ir;
@@ -169,7 +169,7 @@ typedef struct Ir {
     size_t constant_count, constant_room;
     HashIndex constant_index; /* finds constants by their source */
     const Graph *graph;       /* supplies the names of uniforms */
-    IrOutput outputs[MOST_OUTPUTS];
+    IrOutput outputs[MAX_OUTPUTS];
     int output_count;
     Opacity opacity;
     int layout_case;       /* number of the layout case that is packed */

@@ -167,7 +167,7 @@ static void eval(Evaluator *e, Frame *frame, Ref result)
 
 void ir_eval_rounded(const Ir *ir, const ReferenceContext *context,
                      const double inputs[INPUT_COUNT][4], const IrRounding *rounding,
-                     double result[MOST_OUTPUTS][4])
+                     double result[MAX_OUTPUTS][4])
 {
     Evaluator e = {.ir = ir, .context = context, .inputs = inputs, .rounding = rounding};
     Frame frame = {0};
@@ -181,7 +181,7 @@ void ir_eval_rounded(const Ir *ir, const ReferenceContext *context,
 }
 
 void ir_eval(const Ir *ir, const ReferenceContext *context, const double inputs[INPUT_COUNT][4],
-             double result[MOST_OUTPUTS][4])
+             double result[MAX_OUTPUTS][4])
 {
     ir_eval_rounded(ir, context, inputs, NULL, result);
 }

@@ -60,7 +60,7 @@ size_t ir_written(const Ir *ir, size_t limit)
 {
     Arena scratch = {0};
     IrReach reach = ir_reach_new(ir, &scratch);
-    Ref roots[MOST_OUTPUTS];
+    Ref roots[MAX_OUTPUTS];
     for (int i = 0; i < ir->output_count; i++)
         roots[i] = ir->outputs[i].value;
     ir_reach(ir, roots, ir->output_count, &reach);

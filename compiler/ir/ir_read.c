@@ -11,7 +11,7 @@ typedef struct {
     const char *fault;
 } Scanner;
 
-enum { LARGEST_NUMBER = 1 << 20, MOST_OPERANDS = 16, MOST_FUNCTIONS = 1 << 12 };
+enum { LARGEST_NUMBER = 1 << 20, MAX_OPERANDS = 16, MAX_FUNCTIONS = 1 << 12 };
 
 static void skip_spaces(Scanner *s)
 {
@@ -162,7 +162,7 @@ static Ref read_const(Scanner *s, Op op, Type type)
 static Ref read_node(Scanner *s)
 {
     char text[LIMIT_NAME];
-    Ref args[MOST_OPERANDS];
+    Ref args[MAX_OPERANDS];
     int op = word(s, text, sizeof text) ? find(text, op_name, OP_COUNT) : -1, count = 0;
     int type = word(s, text, sizeof text) ? find(text, type_name, TYPE_COUNT) : -1;
     uint32_t payload = 0;
@@ -174,7 +174,7 @@ static Ref read_node(Scanner *s)
         return read_const(s, (Op)op, (Type)type);
     if (!read_payload(s, (Op)op, (Type)type, &payload))
         return 0;
-    while (count < MOST_OPERANDS && word(s, text, sizeof text))
+    while (count < MAX_OPERANDS && word(s, text, sizeof text))
         if (!(args[count++] = operand(s, text)))
             return 0;
     if (op_table[op].arity >= 0 && op_table[op].arity != count) {
@@ -190,7 +190,7 @@ static bool read_output(Scanner *s)
     char kind[16], index[16], equals[8], value[16];
     if (!word(s, kind, sizeof kind) || !word(s, index, sizeof index) ||
         !word(s, equals, sizeof equals) || !word(s, value, sizeof value) ||
-        s->ir->output_count == MOST_OUTPUTS)
+        s->ir->output_count == MAX_OUTPUTS)
         return fail(s, "an output is not `out kind index = %node`");
     Ref ref = operand(s, value);
     ir_output(s->ir,
@@ -210,7 +210,7 @@ static bool number_function(Scanner *s, const char *text, size_t *number)
     const IrFunction none = {0};
     char *end;
     *number = strtoul(text + 1, &end, 10);
-    if (text[0] != 'f' || end == text + 1 || *end || *number >= MOST_FUNCTIONS)
+    if (text[0] != 'f' || end == text + 1 || *end || *number >= MAX_FUNCTIONS)
         return false;
     while (s->ir->function_count <= *number)
         ARENA_PUSH(s->ir->arena, s->ir->functions, s->ir->function_count, s->ir->function_room,
@@ -223,12 +223,12 @@ static bool read_function(Scanner *s)
 {
     char text[LIMIT_NAME];
     size_t number;
-    IrFunction function = {.arguments = ARENA_ARRAY(s->ir->arena, Ref, MOST_OPERANDS)};
+    IrFunction function = {.arguments = ARENA_ARRAY(s->ir->arena, Ref, MAX_OPERANDS)};
     if (!word(s, text, sizeof text) || !number_function(s, text, &number) ||
         !word(s, text, sizeof text) || !word(s, text, sizeof text) ||
         !(function.result = operand(s, text)))
         return fail(s, "a function is not `function fN = %result %argument...`");
-    while (function.count < MOST_OPERANDS && word(s, text, sizeof text))
+    while (function.count < MAX_OPERANDS && word(s, text, sizeof text))
         if (!(function.arguments[function.count++] = operand(s, text)))
             return false;
     s->ir->functions[number] = function;

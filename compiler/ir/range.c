@@ -8,7 +8,7 @@
 #include "compiler/library/references.h"
 #include <math.h>
 
-enum { MOST_GUARDS = 16, SEEN_SLOTS = 128, MOST_COMPONENTS = 4 };
+enum { MAX_GUARDS = 16, SEEN_SLOTS = 128, MAX_COMPONENTS = 4 };
 
 typedef struct {
     Ref ref;
@@ -16,7 +16,7 @@ typedef struct {
 } Guard;
 
 typedef struct Guards {
-    Guard at[MOST_GUARDS];
+    Guard at[MAX_GUARDS];
     int count;
     uint32_t set; /* id of this set of guards; every set ever active has its own id */
     int steps;    /* remaining reexaminations */
@@ -77,7 +77,7 @@ static Interval found_again(const Ranges *r, const Ir *ir, Ref ref, int componen
         return everything;
     guards->depth++;
     if (ir_is(ir, ref, OP_select)) {
-        Interval components[MOST_COMPONENTS];
+        Interval components[MAX_COMPONENTS];
         range_select(r, ir, ref, components_of(ir, ref), components);
         for (int i = 0; i < components_of(ir, ref); i++)
             *seen_slot(r, ref, i) = (SeenComponent){set, ref, i, components[i]};
@@ -127,7 +127,7 @@ static bool read_condition(const Ranges *r, const Ir *ir, Ref condition, Ref *va
 }
 
 /* Finds the intervals of all components of a select's arm, given its side of the condition. */
-static void find_arm(Ranges *r, const Ir *ir, Ref arm, Guard side, Interval found[MOST_COMPONENTS])
+static void find_arm(Ranges *r, const Ir *ir, Ref arm, Guard side, Interval found[MAX_COMPONENTS])
 {
     const Interval none = {INFINITY, -INFINITY};
     const int components = components_of(ir, arm);
@@ -163,7 +163,7 @@ void range_select(const Ranges *r, const Ir *ir, Ref ref, int components, Interv
     Ref value;
     Interval sides[2];
     const Ref a = ir_arg(ir, ref, 1), b = ir_arg(ir, ref, 2);
-    const bool full = r->guards && r->guards->count == MOST_GUARDS;
+    const bool full = r->guards && r->guards->count == MAX_GUARDS;
     if (full || !read_condition(r, ir, ir_arg(ir, ref, 0), &value, sides)) {
         for (int component = 0; component < components; component++)
             found[component] = select_range(r, ir, ref, component);
@@ -177,7 +177,7 @@ void range_select(const Ranges *r, const Ir *ir, Ref ref, int components, Interv
         own.steps = components * LIMIT_GUARD_STEPS;
         with.guards = &own;
     }
-    Interval otherwise[MOST_COMPONENTS];
+    Interval otherwise[MAX_COMPONENTS];
     find_arm(&with, ir, b, (Guard){value, sides[1]}, otherwise);
     find_arm(&with, ir, a, (Guard){value, sides[0]}, found);
     for (int component = 0; component < components; component++)

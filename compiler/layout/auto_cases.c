@@ -14,8 +14,8 @@
 #include <string.h>
 
 enum {
-    MOST_WORDS = 4 * LAYOUT_TARGETS,
-    MOST_STEPS = 20000, /* limit of a search: eight sets have 4,140 partitions */
+    MAX_WORDS = 4 * LAYOUT_TARGETS,
+    MAX_STEPS = 20000, /* limit of a search: eight sets have 4,140 partitions */
     TRIED = 1 << 12,
 };
 
@@ -82,13 +82,13 @@ static bool divide(Search *s, int next)
     Division *found = s->found;
     if (next == s->set_count)
         return true;
-    if (s->steps++ == MOST_STEPS)
+    if (s->steps++ == MAX_STEPS)
         return false;
     const unsigned set = s->sets[next];
     for (int i = 0; i < found->count; i++)
         if (!(set & ~found->slots[i]))
             return divide(s, next + 1);
-    for (int i = 0; i < found->count && s->steps <= MOST_STEPS; i++) {
+    for (int i = 0; i < found->count && s->steps <= MAX_STEPS; i++) {
         const unsigned before = found->slots[i];
         if (!fits(s, before | set))
             continue;
@@ -97,7 +97,7 @@ static bool divide(Search *s, int next)
             return true;
         found->slots[i] = before;
     }
-    if (found->count == s->row.case_count || s->steps > MOST_STEPS)
+    if (found->count == s->row.case_count || s->steps > MAX_STEPS)
         return false;
     found->slots[found->count++] = set;
     if (divide(s, next + 1))
@@ -179,10 +179,10 @@ static bool find_division(Search *s, unsigned stored)
     whole.sets[0] = stored;
     whole.set_count = 1;
     for (found->words_of_one = 1; !divide_into(&whole, found->words_of_one, 1);)
-        if (++found->words_of_one > MOST_WORDS)
+        if (++found->words_of_one > MAX_WORDS)
             return false;
     for (found->words = 1; found->words < found->words_of_one; found->words++)
-        for (int cases = 2; cases <= MOST_AUTO_CASES; cases++)
+        for (int cases = 2; cases <= MAX_AUTO_CASES; cases++)
             if (divide_into(s, found->words, cases))
                 return true;
     return divide_into(&whole, found->words_of_one, 1);

@@ -66,7 +66,7 @@ static const LayoutRow *make_row(Arena *arena, const MatcRanges *ranges, Plan pl
                                  double scale, Division *division)
 {
     Parts parts = {.fixed = ARENA_ARRAY(arena, FixedRow, SLOT_COUNT)};
-    CaseRow *cases = ARENA_ARRAY(arena, CaseRow, MOST_AUTO_CASES);
+    CaseRow *cases = ARENA_ARRAY(arena, CaseRow, MAX_AUTO_CASES);
     LayoutRow *row = ARENA_NEW(arena, LayoutRow);
     *row = (LayoutRow){.name = "auto",
                        .doc = doc_of(arena, ranges->materials),

@@ -32,12 +32,12 @@ typedef struct {
 } Plan;
 
 /* Assignment of slots to cases. */
-enum { MOST_AUTO_CASES = 8 };
+enum { MAX_AUTO_CASES = 8 };
 typedef struct {
     int count;
-    unsigned slots[MOST_AUTO_CASES]; /* 1 << slot; fewest slots first */
+    unsigned slots[MAX_AUTO_CASES]; /* 1 << slot; fewest slots first */
     /* number of materials per case; all of MatcRanges.others count together */
-    int materials[MOST_AUTO_CASES];
+    int materials[MAX_AUTO_CASES];
     int words;        /* words per pixel */
     int words_of_one; /* words per pixel with a single case */
 } Division;

@@ -251,7 +251,7 @@ const FieldRow *layout_allocate(const LayoutRow *row, int number, Placement *pla
         for (int first = 0; first < field->count; first += takes) {
             Piece piece = {
                 .field = field, .first = first, .count = takes, .size = field_size(field)};
-            if (placement->count == MOST_PIECES || !find_room(&room, row, &piece))
+            if (placement->count == MAX_PIECES || !find_room(&room, row, &piece))
                 return field;
             placement->pieces[placement->count++] = piece;
         }

@@ -5,7 +5,7 @@
 #include "compiler/base/text.h"
 #include "grammar/layout_tables.h"
 
-enum { MOST_PIECES = 128 };
+enum { MAX_PIECES = 128 };
 
 typedef struct {
     const FieldRow *field;
@@ -16,7 +16,7 @@ typedef struct {
 } Piece;
 
 typedef struct {
-    Piece pieces[MOST_PIECES]; /* pieces in the order of the rows */
+    Piece pieces[MAX_PIECES]; /* pieces in the order of the rows */
     int count;
 } Placement;
 

@@ -22,7 +22,7 @@ static uint32_t mixed(uint32_t h)
 }
 
 /* Modulo the period. What is not finite has no cell. */
-static uint32_t word_of(double cell)
+static uint32_t keyword_of(double cell)
 {
     const double near = cell - TURN * floor(cell / TURN);
     return near >= 0 && near < TURN ? (uint32_t)near : 0;
@@ -46,8 +46,9 @@ typedef struct {
 
 static Chance chance_of_words(const double cell[3], int dimensions)
 {
-    const uint32_t x = word_of(cell[0]) * 0x9E3779B1u, y = word_of(cell[1]) * 0x85EBCA77u;
-    const uint32_t z = dimensions == 3 ? word_of(cell[2]) * 0xC2B2AE3Du + 0x165667B1u : 0x27D4EB2Fu;
+    const uint32_t x = keyword_of(cell[0]) * 0x9E3779B1u, y = keyword_of(cell[1]) * 0x85EBCA77u;
+    const uint32_t z =
+        dimensions == 3 ? keyword_of(cell[2]) * 0xC2B2AE3Du + 0x165667B1u : 0x27D4EB2Fu;
     const uint32_t h = mixed(x ^ y ^ z), next = (h ^ (h >> 15)) * 0x2C1B3C6Du;
     const double number = ldexp((next ^ (next >> 16)) >> 8, -24);
     if (dimensions == 2)

@@ -3,14 +3,14 @@
 #include "compiler/library/pack.h"
 #include "compiler/library/reference.h"
 
-#define LEAST_SUM 1e-30
+#define MIN_SUM 1e-30
 
 static double square(double v) { return v * v; }
 static double side(double v) { return v < 0 ? -1 : 1; }
 
 void normal_octahedral_map(const double n[3], double e[2])
 {
-    double sum = fmax(fabs(n[0]) + fabs(n[1]) + fabs(n[2]), LEAST_SUM), x = n[0] / sum,
+    double sum = fmax(fabs(n[0]) + fabs(n[1]) + fabs(n[2]), MIN_SUM), x = n[0] / sum,
            y = n[1] / sum;
     e[0] = n[2] < 0 ? (1 - fabs(y)) * side(x) : x;
     e[1] = n[2] < 0 ? (1 - fabs(x)) * side(y) : y;

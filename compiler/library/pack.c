@@ -2,13 +2,13 @@
 #include "compiler/library/pack.h"
 #include "compiler/library/reference.h"
 
-#define HALF_MOST        65504. /* the greatest half float */
-#define HALF_LEAST       ldexp(1, -14)
+#define HALF_MAX         65504. /* the greatest half float */
+#define HALF_MIN         ldexp(1, -14)
 #define HALF_SUBNORMAL   ldexp(1, -24)
-#define FLOAT_MOST       3.4028234e38
+#define FLOAT_MAX        3.4028234e38
 #define PAIR_SCALE       127.5 /* the greatest code is 127 */
-#define LOGARITHM_LEAST  ldexp(1, -4)
-#define LOGARITHM_SPAN   log2(HALF_MOST / LOGARITHM_LEAST)
+#define LOGARITHM_MIN    ldexp(1, -4)
+#define LOGARITHM_SPAN   log2(HALF_MAX / LOGARITHM_MIN)
 #define EXPONENT_BIAS    15
 #define SHARED_BITS      9    /* of a component, at most */
 #define EXPONENTS_OF_ONE 1024 /* half floats of an exponent */
@@ -23,8 +23,8 @@ double pack_half_from_code(int code)
 /* nearbyint rounds ties to even. */
 uint16_t pack_half_bits(double v)
 {
-    double size = fmin(fabs(v), HALF_MOST);
-    int exponent = size < HALF_LEAST ? -14 : ilogb(size);
+    double size = fmin(fabs(v), HALF_MAX);
+    int exponent = size < HALF_MIN ? -14 : ilogb(size);
     double steps = nearbyint(size / ldexp(1, exponent - 10));
     return (uint16_t)((v < 0 ? 0x8000 : 0) + (exponent + 14) * EXPONENTS_OF_ONE + (int)steps);
 }
@@ -49,7 +49,7 @@ REFERENCE(unpackPair)
 {
     (void)context;
     int exponent;
-    double m = 8 * (2 * frexp(clamp(args[0], 1, HALF_MOST), &exponent) - 1);
+    double m = 8 * (2 * frexp(clamp(args[0], 1, HALF_MAX), &exponent) - 1);
     result[0] = (floor(m) + 8 * (exponent - 1)) / PAIR_SCALE;
     result[1] = 128 * fraction(m) / PAIR_SCALE;
 }
@@ -71,7 +71,7 @@ REFERENCE(packRadix)
 REFERENCE(plainHalf)
 {
     (void)context;
-    result[0] = fabs(args[0]) < HALF_LEAST ? 0 : clamp(args[0], -HALF_MOST, HALF_MOST);
+    result[0] = fabs(args[0]) < HALF_MIN ? 0 : clamp(args[0], -HALF_MAX, HALF_MAX);
 }
 
 REFERENCE(unormBits)
@@ -90,8 +90,8 @@ REFERENCE(logarithmBits)
 {
     (void)context;
     int steps = (1 << bits_of(args[1])) - 2;
-    double place = log2(fmax(args[0], LOGARITHM_LEAST) / LOGARITHM_LEAST) * steps / LOGARITHM_SPAN;
-    result[0] = args[0] < LOGARITHM_LEAST / 2 ? 0 : fmin(floor(place + .5), steps) + 1;
+    double place = log2(fmax(args[0], LOGARITHM_MIN) / LOGARITHM_MIN) * steps / LOGARITHM_SPAN;
+    result[0] = args[0] < LOGARITHM_MIN / 2 ? 0 : fmin(floor(place + .5), steps) + 1;
 }
 
 REFERENCE(halfBits)
@@ -107,7 +107,7 @@ REFERENCE(floatBits)
     union {
         float number;
         uint32_t word;
-    } pattern = {.number = (float)clamp(args[0], -FLOAT_MOST, FLOAT_MOST)};
+    } pattern = {.number = (float)clamp(args[0], -FLOAT_MAX, FLOAT_MAX)};
     result[0] = pattern.word;
 }
 

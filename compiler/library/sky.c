@@ -25,12 +25,12 @@ enum {
     LAST_NM = 750,
     STEP_NM = 10 /* of the sun's spectrum */
 };
-#define LEAST_TURBIDITY     1.7
+#define MIN_TURBIDITY       1.7
 #define GREATEST_TURBIDITY  64.
 #define LUMINOUS_EFFICACY   683.002
 #define MATERIAL_IRRADIANCE 10.
-#define LEAST_SLOPE         .001
-#define LEAST_Y             .001
+#define MIN_SLOPE           .001
+#define MIN_Y               .001
 #define DEGREE              (M_PI / 180)
 #define SUN_RADIUS          (16. / 60 * DEGREE)
 
@@ -178,12 +178,12 @@ static void radiance(double rows[SKY_ROWS][3], const double direction[3], double
     unit(direction, view);
     if (view[2] < 0)
         return;
-    view[2] = fmax(view[2], LEAST_SLOPE);
+    view[2] = fmax(view[2], MIN_SLOPE);
     unit(view, view);
     double angle = angle_between(view, rows[SUN]);
     for (int component = 0; component < 3; component++)
         sky[component] = rows[ZENITH][component] * perez(rows, component, view[2], angle);
-    double scale = fmax(sky[0], 0) / fmax(sky[2], LEAST_Y);
+    double scale = fmax(sky[0], 0) / fmax(sky[2], MIN_Y);
     const double xyz[3] = {scale * sky[1], scale * sky[2], scale * (1 - sky[1] - sky[2])};
     rgb_of_xyz(xyz, rgb);
 }
@@ -250,7 +250,7 @@ static double scale_of(double rows[SKY_ROWS][3], const double sun_rgb[3])
 void sky_coefficients(const double sun[3], double turbidity, double radiance_factor,
                       double out[7][3])
 {
-    const double t = clamp(turbidity, LEAST_TURBIDITY, GREATEST_TURBIDITY);
+    const double t = clamp(turbidity, MIN_TURBIDITY, GREATEST_TURBIDITY);
     double sun_rgb[3];
     make_rows(sun, t, out);
     sun_irradiance(out[SUN][2], t, sun_rgb);
@@ -259,7 +259,7 @@ void sky_coefficients(const double sun[3], double turbidity, double radiance_fac
 
 void sky_sun(const double sun[3], double turbidity, double radiance_factor, double irradiance[3])
 {
-    const double t = clamp(turbidity, LEAST_TURBIDITY, GREATEST_TURBIDITY);
+    const double t = clamp(turbidity, MIN_TURBIDITY, GREATEST_TURBIDITY);
     double rows[SKY_ROWS][3];
     make_rows(sun, t, rows);
     sun_irradiance(rows[SUN][2], t, irradiance);

@@ -3,7 +3,7 @@
 #include <string.h>
 
 #define EXPONENT_LIMIT 65504. /* the greatest half float */
-#define LEAST_LENGTH   1e-37
+#define MIN_LENGTH     1e-37
 
 REFERENCE(phongExponent)
 {
@@ -22,7 +22,7 @@ REFERENCE(safeNormalize)
 {
     (void)context;
     double greatest = fmax(fmax(fabs(args[0]), fabs(args[1])), fabs(args[2]));
-    if (greatest < LEAST_LENGTH) {
+    if (greatest < MIN_LENGTH) {
         memcpy(result, (const double[3]){0, 0, 1}, 3 * sizeof(double));
         return;
     }

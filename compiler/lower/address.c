@@ -41,7 +41,7 @@ static Ref folded(Ir *ir, Ref u, Ref shift)
 
 Ref address_unfolded(Ir *ir, const Addressed *picture, Ref uv)
 {
-    if (picture->address != WORD_Address_mirror)
+    if (picture->address != KEYWORD_Address_mirror)
         return uv;
     Ref half = picture->smooth ? texels(ir, picture, 0.5) : 0;
     Ref place = folded(ir, uv, half);
@@ -50,7 +50,7 @@ Ref address_unfolded(Ir *ir, const Addressed *picture, Ref uv)
 
 Ref address_place(Ir *ir, const Addressed *picture, Ref uv)
 {
-    if (picture->address == WORD_Address_repeat)
+    if (picture->address == KEYWORD_Address_repeat)
         return uv;
     Ref place = address_unfolded(ir, picture, picture->smooth ? uv : centred(ir, picture, uv));
     Ref least = picture->smooth ? build_all(ir, TYPE_vec2, 0) : texels(ir, picture, 0.5);
@@ -81,7 +81,7 @@ static Ref is_inside(Ir *ir, Ref uv)
 
 Ref address_share(Ir *ir, const Addressed *picture, Ref uv, Ref wide)
 {
-    if (picture->address != WORD_Address_border)
+    if (picture->address != KEYWORD_Address_border)
         return 0;
     Ref most = wide ? build_max(ir, build_all(ir, TYPE_vec2, 1), wide) : 0;
     Ref share = picture->smooth ? overlap(ir, picture, uv, most) : is_inside(ir, uv);
@@ -97,7 +97,7 @@ Ref address_texels(Ir *ir, Ref call)
     Ref sampler = ir_arg(ir, call, 0), uv = ir_arg(ir, call, 1);
     const Addressed picture = {ir->textures[ir_at(ir, sampler)->payload].wrap, true,
                                ir_arg(ir, call, 2)};
-    if (picture.address == WORD_Address_repeat)
+    if (picture.address == KEYWORD_Address_repeat)
         return 0;
     Ref share = address_share(ir, &picture, uv, 0);
     Ref value =

@@ -6,8 +6,8 @@
 
 /* A picture of `size` texels, a vec2, whose read function repeats it. */
 typedef struct {
-    Word address; /* a keyword of the list Address in words.def */
-    bool smooth;  /* bilinear: four texels are mixed; else nearest */
+    Keyword address; /* a keyword of the list Address in words.def */
+    bool smooth;     /* bilinear: four texels are mixed; else nearest */
     Ref size;
 } Addressed;
 

@@ -5,7 +5,7 @@
 #include "compiler/lower/cells.h"
 #include <math.h>
 
-enum { MOST_ARGUMENTS = 8 }; /* max arguments of a library function */
+enum { MAX_ARGUMENTS = 8 }; /* max arguments of a library function */
 
 /* Returns the mean of the values at all taps. */
 static Ref mean_of(Lower *l, const Ref *values, int count)
@@ -20,7 +20,7 @@ static Ref mean_of(Lower *l, const Ref *values, int count)
 /* Calls a library function of a position and further arguments. */
 static Ref call_at(Lower *l, int function, Ref position, const Ref *args, int count)
 {
-    Ref all[MOST_ARGUMENTS] = {position};
+    Ref all[MAX_ARGUMENTS] = {position};
     for (int k = 0; k < count; k++)
         all[k + 1] = args[k];
     return build_call_of(l->ir, function, all, count + 1);
@@ -37,7 +37,7 @@ typedef struct {
 static Ref octaves_variance(Lower *l, const Octaves *o, const Ref *args, int count, Ref edge)
 {
     Ir *ir = l->ir;
-    Ref all[MOST_ARGUMENTS];
+    Ref all[MAX_ARGUMENTS];
     for (int k = 0; k < count; k++)
         all[k] = args[k];
     all[count] = edge;
@@ -48,8 +48,8 @@ static Ref octaves_variance(Lower *l, const Octaves *o, const Ref *args, int cou
 static Answer octaves(Lower *l, const Octaves *o, Answer p, const Ref *args, int count)
 {
     Ir *ir = l->ir;
-    Tap taps[MOST_TAPS];
-    Ref values[MOST_TAPS] = {0}, all[MOST_ARGUMENTS];
+    Tap taps[MAX_TAPS];
+    Ref values[MAX_TAPS] = {0}, all[MAX_ARGUMENTS];
     LongCoordinate parts;
     int tap_count = footprint_taps(l, p, taps);
     Ref edge = tap_count ? footprint_greatest_component(l, taps[0].edges) : build_float(ir, 0);
@@ -132,7 +132,7 @@ static Answer far_away(Lower *l, Kind kind, Answer p, const Ref *args, Answer ne
 static Answer sampled(Lower *l, Kind kind, Answer p, const Ref *args, int count)
 {
     Ir *ir = l->ir;
-    Ref points[MOST_TAPS], values[MOST_TAPS] = {0}, squares[MOST_TAPS] = {0};
+    Ref points[MAX_TAPS], values[MAX_TAPS] = {0}, squares[MAX_TAPS] = {0};
     int point_count = footprint_points(l, p.value, points);
     if (!point_count)
         return point(l, kind, p, args, count);
@@ -149,8 +149,8 @@ static Answer sampled(Lower *l, Kind kind, Answer p, const Ref *args, int count)
 /* Returns closed-form means over boxes, by functions (middle, edges, args). */
 static Answer boxes(Lower *l, Kind kind, Answer p, const Ref *args, int count)
 {
-    Tap taps[MOST_TAPS];
-    Ref values[MOST_TAPS] = {0}, all[MOST_ARGUMENTS];
+    Tap taps[MAX_TAPS];
+    Ref values[MAX_TAPS] = {0}, all[MAX_ARGUMENTS];
     int tap_count = footprint_taps(l, p, taps);
     for (int k = 0; k < count; k++)
         all[k + 1] = args[k];
@@ -295,7 +295,7 @@ static Ref picture_over(Lower *l, Function function, const Picture *p, Ref point
 static Ref texels_across(Lower *l, const Picture *p, Spread spread)
 {
     Ir *ir = l->ir;
-    if (p->address != WORD_Address_border || (!spread.right && !spread.up))
+    if (p->address != KEYWORD_Address_border || (!spread.right && !spread.up))
         return 0;
     Ref right = build_abs(ir, build_or_zero(ir, spread.right, TYPE_vec2));
     Ref up = build_abs(ir, build_or_zero(ir, spread.up, TYPE_vec2));
@@ -307,8 +307,8 @@ Ref area_picture_near(Lower *l, const Picture *p, Ref point, Ref uv)
     Ir *ir = l->ir;
     Ref place = place_of(l, p, point), wide = 0, value;
     if (is_sampler(p->function))
-        wide = texels_across(l, p,
-                             p->address == WORD_Address_border ? spread_of(l, uv) : (Spread){0, 0});
+        wide = texels_across(
+            l, p, p->address == KEYWORD_Address_border ? spread_of(l, uv) : (Spread){0, 0});
     if (p->function == FN_imageSampledOver)
         value = picture_over(l, p->function, p, place, spread_of(l, uv));
     else
@@ -322,15 +322,15 @@ Ref area_picture_near(Lower *l, const Picture *p, Ref point, Ref uv)
 static Ref rise_over(Lower *l, const Picture *p, Ref uv, Ref component, Ref shown)
 {
     Ir *ir = l->ir;
-    const Word wrap = ir->textures[ir_at(ir, p->sampler)->payload].wrap;
+    const Keyword wrap = ir->textures[ir_at(ir, p->sampler)->payload].wrap;
     const Spread spread = spread_of(l, uv);
     Ref args[7] = {p->sampler, uv, p->size, component};
     int count = 4;
-    if (wrap != WORD_Address_repeat)
-        args[count++] = build_int(ir, wrap - WORD_Address_repeat);
+    if (wrap != KEYWORD_Address_repeat)
+        args[count++] = build_int(ir, wrap - KEYWORD_Address_repeat);
     args[count++] = build_or_zero(ir, spread.right, TYPE_vec2);
     args[count++] = build_or_zero(ir, spread.up, TYPE_vec2);
-    if (wrap != WORD_Address_repeat)
+    if (wrap != KEYWORD_Address_repeat)
         return build_call_of(ir, FN_imageRiseBeyond, args, count);
     if (p->function == FN_imageSampledOver)
         return build_call_of(ir, FN_imageRiseOver, args, count);
@@ -343,7 +343,7 @@ Ref area_picture_rise(Lower *l, const Picture *p, Ref uv, int component, Ref sho
 {
     Ir *ir = l->ir;
     Ref number = build_int(ir, component);
-    if (p->address != WORD_Address_repeat)
+    if (p->address != KEYWORD_Address_repeat)
         return 0;
     if (p->function == FN_imageBilinear)
         return build_call(ir, FN_imageRise, p->sampler, uv, p->size, number);
@@ -365,10 +365,10 @@ static Ref picture_filtered(Lower *l, const Picture *p, Ref uv, Spread spread)
 
 Ref area_picture(Lower *l, const Picture *p, Ref uv)
 {
-    Ref points[MOST_TAPS], values[MOST_TAPS] = {0};
+    Ref points[MAX_TAPS], values[MAX_TAPS] = {0};
     const Spread spread = spread_of(l, uv);
     const bool has_mipmaps =
-        target_table[l->job->target].words || p->address == WORD_Address_repeat;
+        target_table[l->job->target].words || p->address == KEYWORD_Address_repeat;
     if (is_sampler(p->function) || !footprint_is_filtered(l) || (!spread.right && !spread.up))
         return area_picture_near(l, p, uv, uv);
     if (p->function == FN_imageBilinear && has_mipmaps)

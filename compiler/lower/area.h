@@ -18,7 +18,7 @@ typedef struct {
     Function function;
     Ref sampler, size;
     /* Addressing that the shader computes; repeat: the function or the sampler does all. */
-    Word address;
+    Keyword address;
 } Picture;
 /* Selects the library function that reads an ImageMap at uv; `smooth`: texels are mixed. */
 Function area_picture_function(const Lower *l, Ref uv, bool smooth);

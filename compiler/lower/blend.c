@@ -282,7 +282,7 @@ Ref blend_variance(Lower *l, Ref t, Ref edge, const Stop *stops, int count)
 
 Ref blend_over(Lower *l, Ref t, Ref edge, const Stop *stops, int count)
 {
-    if (l->cheap && count <= BLEND_MOST_MIXES && has_costly(l->ir, stops, count))
+    if (l->cheap && count <= BLEND_MAX_MIXES && has_costly(l->ir, stops, count))
         return blend_guarded_area(l, t, edge, stops, count);
     return blend_alike(l->ir, stops, count) ? blend_area(l, t, edge, stops, count)
                                             : blend_weights(l, t, edge, stops, count);

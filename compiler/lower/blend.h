@@ -11,7 +11,7 @@ enum {
     40,
     /* Number of items up to which mixing, with a branch for each costly item, is cheaper than a
      * binary search. */
-    BLEND_MOST_MIXES = 8,
+    BLEND_MAX_MIXES = 8,
 };
 
 typedef struct {

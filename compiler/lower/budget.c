@@ -36,7 +36,7 @@ enum {
     FREE_COST = 200,
     MEAN_COST = 30,         /* estimated operations that a mean adds; a Checker's mean adds 32 */
     LARGEST_GUESSED = 1000, /* estimated cost of a program above which no guess is made */
-    MOST_SLOW = 2           /* max consecutive guesses that leave more than half of the range */
+    MAX_SLOW = 2            /* max consecutive guesses that leave more than half of the range */
 };
 /* A mean whose price exceeds the remaining budget by this factor does not fit. */
 static const double SURELY = 1.1, SURELY_MINGLED = 3;
@@ -119,7 +119,7 @@ typedef struct {
 } Bracket;
 
 /* Returns the number of means to try next: interpolates by their prices, scaled to the measured
- * costs at both ends of the bracket. After MOST_SLOW guesses that left more than half of the range,
+ * costs at both ends of the bracket. After MAX_SLOW guesses that left more than half of the range,
  * bisects.
  *
  *     without means 200, with all 100 means 2,200, each costs as much, and 220 may be spent: 1
@@ -150,7 +150,7 @@ static Trial *most_that_fit(const LowerRequest *what, Trial trials[2], double mo
     Trial *next = &trials[0], *best = &trials[1];
     int slow = 0; /* consecutive guesses that left more than half of the range */
     while (b.fit + 1 < b.beyond) {
-        const int before = b.beyond - b.fit, tried = guess(&b, most, slow == MOST_SLOW);
+        const int before = b.beyond - b.fit, tried = guess(&b, most, slow == MAX_SLOW);
         if (tried == b.fit)
             break;
         try_below(next, what, ends[tried - 1]);
@@ -161,7 +161,7 @@ static Trial *most_that_fit(const LowerRequest *what, Trial trials[2], double mo
         } else {
             b.beyond = tried, b.cost_beyond = cost;
         }
-        slow = 2 * (b.beyond - b.fit) > before && slow < MOST_SLOW ? slow + 1 : 0;
+        slow = 2 * (b.beyond - b.fit) > before && slow < MAX_SLOW ? slow + 1 : 0;
         drop(next);
     }
     return best;

@@ -13,9 +13,9 @@ typedef struct {
     double mean[3], variance[3], slope[3], narrow, wide;
 } Statistics;
 
-enum { DISTANCES = WORD_Distance_chebyshev - WORD_Distance_euclidean + 1 };
+enum { DISTANCES = KEYWORD_Distance_chebyshev - KEYWORD_Distance_euclidean + 1 };
 
-static const Statistics statistics[CELLS_MOST_DIMENSIONS - CELLS_FEWEST_DIMENSIONS + 1][DISTANCES]
+static const Statistics statistics[CELLS_MAX_DIMENSIONS - CELLS_FEWEST_DIMENSIONS + 1][DISTANCES]
                                   [CELLS_VALUE_COUNT] = {
 #define THREE(a, b, c)                                                                             \
     {                                                                                              \
@@ -23,7 +23,7 @@ static const Statistics statistics[CELLS_MOST_DIMENSIONS - CELLS_FEWEST_DIMENSIO
     }
 #define CELLS(dimensions, distance, measure, mean, variance, slope, narrow, wide)                  \
     [dimensions -                                                                                  \
-        CELLS_FEWEST_DIMENSIONS][WORD_Distance_##distance - WORD_Distance_euclidean]               \
+        CELLS_FEWEST_DIMENSIONS][KEYWORD_Distance_##distance - KEYWORD_Distance_euclidean]         \
                                 [CELLS_VALUE_##measure] = {mean, variance, slope, narrow, wide},
 #include "grammar/cells.def"
 };
@@ -99,7 +99,7 @@ static Fading fading(Lower *l, const Cells *cells, Ref edge)
 Answer cells_over_pixel(Lower *l, const Cells *cells, Answer q)
 {
     Ir *ir = l->ir;
-    Tap taps[MOST_TAPS];
+    Tap taps[MAX_TAPS];
     const int count = footprint_taps(l, q, taps);
     if (!count)
         return answer_of(cells_at(l, cells, q.value, 0));
@@ -121,7 +121,7 @@ Answer cells_over_pixel(Lower *l, const Cells *cells, Answer q)
 
 Ref cells_of(Lower *l, Ref p, bool edge)
 {
-    const Cells cells = {.dimensions = CELLS_MOST_DIMENSIONS,
+    const Cells cells = {.dimensions = CELLS_MAX_DIMENSIONS,
                          .measure = edge ? CELLS_VALUE_edge : CELLS_VALUE_F1,
                          .jitter = build_float(l->ir, 1)};
     return cells_over_pixel(l, &cells, answer_of(p)).value;
@@ -140,7 +140,7 @@ bool cells_far(Lower *l, Far far, const Ref *args, Answer *made)
         return false;
     if (ir_known(ir, args[STYLE])[0] != 0)
         return true; /* style 1: a random number of the nearest point's cell */
-    const int flat = ir_known(ir, args[DIMENSIONS])[0] < CELLS_MOST_DIMENSIONS;
+    const int flat = ir_known(ir, args[DIMENSIONS])[0] < CELLS_MAX_DIMENSIONS;
     const Cells cells = {.jitter =
                              build_clamp(ir, args[JITTER], build_float(ir, 0), build_float(ir, 1))};
     const Statistics *s = &statistics[!flat][0][CELLS_VALUE_F1];

@@ -11,7 +11,7 @@ enum {
     CELLS_VALUE_centre,
     CELLS_VALUE_COUNT
 };
-enum { CELLS_FEWEST_DIMENSIONS = 2, CELLS_MOST_DIMENSIONS = 3 };
+enum { CELLS_FEWEST_DIMENSIONS = 2, CELLS_MAX_DIMENSIONS = 3 };
 
 /* Settings of one cellular noise: dimensions, distance metric, measured value, jitter of the
  * points. */

@@ -7,8 +7,8 @@
  *     if a mean below left a variance of .0001 in v: sqrt(.08^2 + 12 * .0001) = .087 */
 #include "compiler/lower/footprint.h"
 
-static const double BOX_VARIANCE = 12;     /* a box filter of width b has the variance b^2 / 12 */
-static const double LEAST_DIVISOR = 1e-37; /* a normal (not denormal) float */
+static const double BOX_VARIANCE = 12;   /* a box filter of width b has the variance b^2 / 12 */
+static const double MIN_DIVISOR = 1e-37; /* a normal (not denormal) float */
 
 bool footprint_may_average(Kind kind)
 {
@@ -62,12 +62,12 @@ Ref footprint_longer(Lower *l, Answer coordinate, Ref *edges)
         return 0;
     Ref wide = build_lt(ir, build_dot(ir, up, up), build_dot(ir, right, right));
     Ref longer = build_select(ir, wide, right, up), shorter = build_select(ir, wide, up, right);
-    Ref part = build_scale(ir, longer, 1.0 / MOST_TAPS);
+    Ref part = build_scale(ir, longer, 1.0 / MAX_TAPS);
     *edges = with_variance(l, together(l, part, shorter), coordinate.variance);
     return longer;
 }
 
-int footprint_taps(Lower *l, Answer coordinate, Tap taps[MOST_TAPS])
+int footprint_taps(Lower *l, Answer coordinate, Tap taps[MAX_TAPS])
 {
     Ir *ir = l->ir;
     Ref edges = footprint_edges(l, coordinate);
@@ -78,19 +78,19 @@ int footprint_taps(Lower *l, Answer coordinate, Tap taps[MOST_TAPS])
         taps[0] = (Tap){coordinate.value, edges};
         return 1;
     }
-    for (int i = 0; i < MOST_TAPS; i++)
+    for (int i = 0; i < MAX_TAPS; i++)
         taps[i] = (Tap){
-            build_add(ir, coordinate.value, build_scale(ir, longer, (i + 0.5) / MOST_TAPS - 0.5)),
+            build_add(ir, coordinate.value, build_scale(ir, longer, (i + 0.5) / MAX_TAPS - 0.5)),
             edges};
-    return MOST_TAPS;
+    return MAX_TAPS;
 }
 
 /* Places the points on a rotated grid, so that every row and column of the pixel's 4 x 4
  * subpixels has one point. */
-int footprint_points(Lower *l, Ref coordinate, Ref points[MOST_TAPS])
+int footprint_points(Lower *l, Ref coordinate, Ref points[MAX_TAPS])
 {
     Ir *ir = l->ir;
-    static const double offset[MOST_TAPS][2] = {
+    static const double offset[MAX_TAPS][2] = {
         {-1.0 / 8, -3.0 / 8}, {3.0 / 8, -1.0 / 8}, {-3.0 / 8, 1.0 / 8}, {1.0 / 8, 3.0 / 8}};
     Ref right = slope_detached(l, coordinate, DIRECTION_right),
         up = slope_detached(l, coordinate, DIRECTION_up);
@@ -99,11 +99,11 @@ int footprint_points(Lower *l, Ref coordinate, Ref points[MOST_TAPS])
         return 0;
     right = build_or_zero(ir, right, type);
     up = build_or_zero(ir, up, type);
-    for (int i = 0; i < MOST_TAPS; i++)
+    for (int i = 0; i < MAX_TAPS; i++)
         points[i] = build_add(
             ir, coordinate,
             build_add(ir, build_scale(ir, right, offset[i][0]), build_scale(ir, up, offset[i][1])));
-    return MOST_TAPS;
+    return MAX_TAPS;
 }
 
 Ref footprint_edges(Lower *l, Answer a)
@@ -136,7 +136,7 @@ static Ref footprint_over(Lower *l, Ref x, Ref edge)
 Ref footprint_over_edge(Lower *l, Ref part, Ref edge)
 {
     Ir *ir = l->ir;
-    return build_div(ir, part, build_max(ir, edge, build_float(ir, LEAST_DIVISOR)));
+    return build_div(ir, part, build_max(ir, edge, build_float(ir, MIN_DIVISOR)));
 }
 
 /* Computes the quotient, at most 1/2, before the product, so that neither overflows or

@@ -6,8 +6,8 @@
 #include "compiler/lower/slope.h"
 
 enum {
-    MOST_TAPS = 4,
-    MOST_SPLITS = 4, /* nesting of checkers whose colors are kept apart */
+    MAX_TAPS = 4,
+    MAX_SPLITS = 4, /* nesting of checkers whose colors are kept apart */
 };
 
 /* A box of a footprint: its center, and its edge lengths per component. */
@@ -21,15 +21,15 @@ bool footprint_may_average(Kind kind);
  * are not: the filters sample them many times themselves. */
 bool footprint_is_filtered(const Lower *l);
 /* Boxes of equal weight that cover the pixel's footprint on a coordinate: one, or with
- * --aa=aniso MOST_TAPS along the longer side. Returns their number; 0: the coordinate is
+ * --aa=aniso MAX_TAPS along the longer side. Returns their number; 0: the coordinate is
  * constant over the pixel. */
-int footprint_taps(Lower *l, Answer coordinate, Tap taps[MOST_TAPS]);
+int footprint_taps(Lower *l, Answer coordinate, Tap taps[MAX_TAPS]);
 /* Returns the longer side of the footprint, and the edges of the boxes along it; 0 unless
  * --aa=aniso. */
 Ref footprint_longer(Lower *l, Answer coordinate, Ref *edges);
-/* Returns MOST_TAPS points distributed over the footprint, for functions without a closed mean;
+/* Returns MAX_TAPS points distributed over the footprint, for functions without a closed mean;
  * 0 as above. */
-int footprint_points(Lower *l, Ref coordinate, Ref points[MOST_TAPS]);
+int footprint_points(Lower *l, Ref coordinate, Ref points[MAX_TAPS]);
 /* Returns the edges per component of a box with the same variance as the value within the pixel,
  * from its slope and the variance it has left out. 0: the value is constant. Otherwise the edges
  * are shader values that may be 0; a box without edges is its center, so divisions by an edge

@@ -4,7 +4,7 @@
 #include <string.h>
 
 enum {
-    LEAST_ARM = 40, /* min scalar operations of a map for which a choice may become a branch */
+    MIN_ARM = 40,   /* min scalar operations of a map for which a choice may become a branch */
     FIRST_MEMO = 32 /* initial capacity of the memo table, enough for a small document */
 };
 
@@ -218,10 +218,7 @@ MapCosts lower_map_costs(const Node *map, int limit)
     return costs;
 }
 
-bool lower_wants_branch(const Node *map)
-{
-    return lower_map_costs(map, LEAST_ARM).points >= LEAST_ARM;
-}
+bool lower_wants_branch(const Node *map) { return lower_map_costs(map, MIN_ARM).points >= MIN_ARM; }
 
 Answer lower_arm(Lower *l, const Node *map, Group group, const Env *env)
 {
@@ -246,12 +243,12 @@ Answer lower_waved(Lower *l, const Node *node, Answer f)
     return wave->kind == VALUE_wave ? lower_wave(l, wave->wave, v) : v;
 }
 
-enum { MOST_OWN = 7 };
+enum { MAX_OWN = 7 };
 
 /* A volume map and its own parameters. */
 typedef struct {
     const Node *node;
-    Ref args[MOST_OWN];
+    Ref args[MAX_OWN];
     int count;
 } Volume;
 
@@ -302,12 +299,12 @@ static Ref octave_scale(Lower *l, Ref omega, double octaves)
 /* Lowers a VolumeTurbulence: a Turb(size p). */
 Answer lower_VolumeTurbulence(Lower *l, const Node *node, Group group, const Env *env)
 {
-    enum { MOST_OCTAVES = 11 };
+    enum { MAX_OCTAVES = 11 };
     const Value *octaves = node_param(node, P_VolumeTurbulence_octaves);
     lower_reject_uniform(l, octaves, "octaves", "the loop over the octaves has a fixed length");
     double given[4];
     value_number(octaves, TYPE_float, given);
-    double n = clamp(given[0], 1, MOST_OCTAVES);
+    double n = clamp(given[0], 1, MAX_OCTAVES);
     Answer p = lower_answer(l, lower_param_node(node, P_VolumeTurbulence_input), GROUP_X, env);
     Ref omega = lower_param(l, node_param(node, P_VolumeTurbulence_noiseRatio), TYPE_float);
     Ref size = lower_param(l, node_param(node, P_VolumeTurbulence_size), TYPE_float);

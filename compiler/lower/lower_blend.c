@@ -21,7 +21,7 @@
 #include "compiler/lower/footprint.h"
 #include <string.h>
 
-enum { MOST_AREA_ITEMS = 64 }; /* items up to which a Blend is averaged over the pixel */
+enum { MAX_AREA_ITEMS = 64 }; /* items up to which a Blend is averaged over the pixel */
 
 /* Segments first..last of a Blend: segment i ends at item i, and segment `count` is the constant
  * after the last item. */
@@ -125,7 +125,7 @@ static Ref noted(Lower *l, Ref sum, const Blended *blend)
 static Ref blend_point(Lower *l, Ref t, const Stop *stops, int count)
 {
     const bool ordered = ascending(l->ir, stops, count, true);
-    if (l->cheap && ordered && count <= BLEND_MOST_MIXES && cheap_arms(l->ir, stops, count) &&
+    if (l->cheap && ordered && count <= BLEND_MAX_MIXES && cheap_arms(l->ir, stops, count) &&
         blend_alike(l->ir, stops, count))
         return noted(l, blend_mixes(l, t, stops, count), &(Blended){t, stops, stops, count});
     if (ordered && (l->cheap || count > LIMIT_WALK))
@@ -137,7 +137,7 @@ static Ref blend_point(Lower *l, Ref t, const Stop *stops, int count)
  * costly, or a binary search follows, which has branches already. */
 static Ref blend_guards(Lower *l, Ref t, const Stop *stops, int count)
 {
-    if (!l->cheap || count > BLEND_MOST_MIXES || !ascending(l->ir, stops, count, true))
+    if (!l->cheap || count > BLEND_MAX_MIXES || !ascending(l->ir, stops, count, true))
         return 0;
     const Stop *own = blend_guarded_items(l, t, stops, count, false);
     if (own == stops)
@@ -149,7 +149,7 @@ static Ref blend_guards(Lower *l, Ref t, const Stop *stops, int count)
 
 static Answer blend_components(Lower *l, Answer t, const Stop *stops, int count)
 {
-    if (count > MOST_AREA_ITEMS || !ascending(l->ir, stops, count, false))
+    if (count > MAX_AREA_ITEMS || !ascending(l->ir, stops, count, false))
         return answer_of(blend_point(l, t.value, stops, count));
     Ref edge = footprint_edges(l, t);
     Ref sum =
@@ -244,7 +244,7 @@ Answer lower_Blend(Lower *l, const Node *node, Group group, const Env *env)
         l->failed = true;
         return answer_of(stops[0].result);
     }
-    Answer answer = blend_split(l, x, stops, count, MOST_SPLITS);
+    Answer answer = blend_split(l, x, stops, count, MAX_SPLITS);
     /* A Blend in a displacement is no split value any more: a Blend along it uses its slope. */
     if (l->relief)
         answer.split = NULL;
@@ -266,7 +266,7 @@ static Answer ramp(Lower *l, Answer t, Answer a, Answer b)
 
 Answer lower_Ramp(Lower *l, const Node *node, Group group, const Env *env)
 {
-    const bool along_v = node_param(node, P_Ramp_along)->number[0] == WORD_Axis_v;
+    const bool along_v = node_param(node, P_Ramp_along)->number[0] == KEYWORD_Axis_v;
     Answer t =
         answer_swizzle(l, lower_answer(l, lower_param_node(node, P_Ramp_input), GROUP_U, env),
                        along_v ? "y" : "x");
@@ -304,11 +304,11 @@ static Answer chosen_of(Lower *l, Choices c)
                          chosen_of(l, (Choices){c.number, c.maps, middle + 1, c.last}));
 }
 
-/* Returns the choice over a box of the number; with more maps than MOST_AREA_ITEMS allows, at
+/* Returns the choice over a box of the number; with more maps than MAX_AREA_ITEMS allows, at
  * its center. */
 static Answer chosen_at(Lower *l, Answer number, const Answer *maps, int count)
 {
-    Ref edge = 2 * (count - 1) <= MOST_AREA_ITEMS ? footprint_edges(l, number) : 0;
+    Ref edge = 2 * (count - 1) <= MAX_AREA_ITEMS ? footprint_edges(l, number) : 0;
     Stop *stops = ARENA_ARRAY(l->session->arena, Stop, 2 * count);
     Type type = TYPE_float;
     if (!edge || count == 1)
@@ -345,7 +345,7 @@ Answer lower_Switch(Lower *l, const Node *node, Group group, const Env *env)
     Answer *maps = ARENA_ARRAY(l->session->arena, Answer, count);
     for (int i = 0; i < count; i++)
         maps[i] = lower_arm(l, list->items->item[i].input, group, env);
-    Answer answer = chosen_split(l, x, maps, count, MOST_SPLITS);
+    Answer answer = chosen_split(l, x, maps, count, MAX_SPLITS);
     if (l->relief)
         answer.split = NULL;
     return answer;

@@ -28,7 +28,7 @@ static void note_steps(Lower *l, const Cells *cells, Ref value, Ref q)
     relief_rise(l, value, q, rate);
 }
 
-static int word_of(const Node *node, int param, Word first)
+static int keyword_of(const Node *node, int param, Keyword first)
 {
     return (int)node_param(node, param)->number[0] - (int)first;
 }
@@ -41,9 +41,9 @@ Answer lower_Cells(Lower *l, const Node *node, Group group, const Env *env)
     value_number(dimensions, TYPE_float, number);
     const Node *input = lower_param_node(node, P_Cells_input);
     const Cells cells = {.dimensions =
-                             (int)clamp(number[0], CELLS_FEWEST_DIMENSIONS, CELLS_MOST_DIMENSIONS),
-                         .distance = word_of(node, P_Cells_distance, WORD_Distance_euclidean),
-                         .measure = word_of(node, P_Cells_value, WORD_CellsValue_F1),
+                             (int)clamp(number[0], CELLS_FEWEST_DIMENSIONS, CELLS_MAX_DIMENSIONS),
+                         .distance = keyword_of(node, P_Cells_distance, KEYWORD_Distance_euclidean),
+                         .measure = keyword_of(node, P_Cells_value, KEYWORD_CellsValue_F1),
                          .jitter = find_jitter(l, node, P_Cells_jitter)};
     Answer q = lower_answer(l, input, cells.dimensions == 2 ? GROUP_U : GROUP_X, env);
     if (cells.dimensions == 2)
@@ -61,7 +61,8 @@ Answer lower_CellCentre(Lower *l, const Node *node, Group group, const Env *env)
     if (group != GROUP_X && group != GROUP_U)
         return q;
     const Cells cells = {.dimensions = group == GROUP_U ? 2 : 3,
-                         .distance = word_of(node, P_CellCentre_distance, WORD_Distance_euclidean),
+                         .distance =
+                             keyword_of(node, P_CellCentre_distance, KEYWORD_Distance_euclidean),
                          .measure = CELLS_VALUE_centre,
                          .jitter = find_jitter(l, node, P_CellCentre_jitter)};
     if (group == GROUP_X)

@@ -73,7 +73,7 @@ static Ref list_of(Lower *l, const Formula *f, const FormulaStep *step, const Re
 
 static Ref term_of(Lower *l, const Formula *f, const FormulaStep *step, const Ref *refs)
 {
-    Ref args[TERM_MOST_ARGUMENTS] = {0};
+    Ref args[TERM_MAX_ARGUMENTS] = {0};
     for (uint32_t i = 0; i < step->count; i++)
         args[i] = refs[formula_argument(f, step, i)];
     return lower_term(l, (Term)step->row, args);
@@ -122,10 +122,10 @@ static Ref value_at(Lower *l, const Formula *f, const bool *read, const Leaves *
 
 /* Sets the leaf's values at the samples, from its slopes. Returns false, with all values equal,
  * if the leaf is constant. */
-static bool spread(Lower *l, Ref leaf, Ref at[MOST_TAPS])
+static bool spread(Lower *l, Ref leaf, Ref at[MAX_TAPS])
 {
     const bool changes = footprint_points(l, leaf, at) > 0;
-    for (int i = 0; !changes && i < MOST_TAPS; i++)
+    for (int i = 0; !changes && i < MAX_TAPS; i++)
         at[i] = leaf;
     return changes;
 }
@@ -143,31 +143,31 @@ typedef struct {
 static Ref sampled(Lower *l, const Reading *r)
 {
     Ir *ir = l->ir;
-    Leaves leaves[MOST_TAPS] = {0};
+    Leaves leaves[MAX_TAPS] = {0};
     bool changes = false;
-    Ref at[MOST_TAPS], sum = 0;
-    for (int i = 0; i < MOST_TAPS; i++)
+    Ref at[MAX_TAPS], sum = 0;
+    for (int i = 0; i < MAX_TAPS; i++)
         leaves[i].inputs = ARENA_ARRAY(l->session->arena, Ref, r->inputs);
     for (int q = 0; q < QUANTITY_COUNT; q++) {
         changes |= r->leaves.quantity[q] && spread(l, r->leaves.quantity[q], at);
-        for (int i = 0; r->leaves.quantity[q] && i < MOST_TAPS; i++)
+        for (int i = 0; r->leaves.quantity[q] && i < MAX_TAPS; i++)
             leaves[i].quantity[q] = at[i];
     }
     for (int k = 0; k < LIMIT_ATTRIBUTES; k++) {
         changes |= r->leaves.attributes[k] && spread(l, r->leaves.attributes[k], at);
-        for (int i = 0; r->leaves.attributes[k] && i < MOST_TAPS; i++)
+        for (int i = 0; r->leaves.attributes[k] && i < MAX_TAPS; i++)
             leaves[i].attributes[k] = at[i];
     }
     for (int k = 0; k < r->inputs; k++) {
         changes |= spread(l, r->leaves.inputs[k], at);
-        for (int i = 0; i < MOST_TAPS; i++)
+        for (int i = 0; i < MAX_TAPS; i++)
             leaves[i].inputs[k] = at[i];
     }
-    for (int i = 0; changes && i < MOST_TAPS; i++) {
+    for (int i = 0; changes && i < MAX_TAPS; i++) {
         Ref value = value_at(l, r->formula, r->read, &leaves[i], r->refs);
         sum = sum ? build_add(ir, sum, value) : value;
     }
-    return changes ? build_scale(ir, sum, 1.0 / MOST_TAPS) : 0;
+    return changes ? build_scale(ir, sum, 1.0 / MAX_TAPS) : 0;
 }
 
 /* Returns an attribute of the mesh, which belongs to the shaded point, whatever coordinate

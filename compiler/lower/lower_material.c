@@ -69,7 +69,7 @@ static Ref exponent(Lower *l, const Node *map, double without, const Env *env)
 {
     if (!map)
         return build_float(l->ir, without);
-    return exponent_of(l, lower_answer(l, map, GROUP_R, env), MOST_SPLITS);
+    return exponent_of(l, lower_answer(l, map, GROUP_R, env), MAX_SPLITS);
 }
 
 /* Returns the transparency factor 1 + alpha (c - 1). */

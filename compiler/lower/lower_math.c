@@ -9,7 +9,7 @@
 #include "compiler/lower/answer.h"
 #include "compiler/lower/lower_term.h"
 
-enum { MOST_HALVINGS = 3 }; /* nesting depth of halves: each level doubles the computation */
+enum { MAX_HALVINGS = 3 }; /* nesting depth of halves: each level doubles the computation */
 
 /* Returns a color of one, three or four components, with its split. */
 static Answer whole_colour(Lower *l, const Node *node, int param, const Env *env)
@@ -113,7 +113,7 @@ Answer lower_Remap(Lower *l, const Node *node, Group group, const Env *env)
         to_high = number(l, node, P_Remap_toHigh, env);
     Ref width = build_sub(ir, high, low), rise = build_sub(ir, to_high, to_low);
     /* 0 where the width is 0 */
-    Ref rate = lower_term(l, TERM_divide, (const Ref[TERM_MOST_ARGUMENTS]){rise, width});
+    Ref rate = lower_term(l, TERM_divide, (const Ref[TERM_MAX_ARGUMENTS]){rise, width});
     return given(l, line(l, x, low, (const Ref[]){rate, to_low}), group);
 }
 
@@ -155,7 +155,7 @@ Answer lower_Clamp(Lower *l, const Node *node, Group group, const Env *env)
 {
     const Answer x = whole_colour(l, node, P_Clamp_input, env);
     const Ref low = number(l, node, P_Clamp_low, env), high = number(l, node, P_Clamp_high, env);
-    return given(l, curved(l, &(Curve){clamped, {low, high}}, x, MOST_HALVINGS), group);
+    return given(l, curved(l, &(Curve){clamped, {low, high}}, x, MAX_HALVINGS), group);
 }
 
 /* Returns x to the power of `exponent`, with x bounded so that the power is at most 1e37.
@@ -169,12 +169,12 @@ static Ref raised(Lower *l, Ref x, const Ref *exponent)
                                build_div(ir, one, build_max(ir, *exponent, one)));
         x = build_min(ir, x, build_splat(ir, border, ir_type(ir, x)));
     }
-    return lower_term(l, TERM_pow, (const Ref[TERM_MOST_ARGUMENTS]){x, *exponent});
+    return lower_term(l, TERM_pow, (const Ref[TERM_MAX_ARGUMENTS]){x, *exponent});
 }
 
 static Ref term_of(Lower *l, Term term, Ref x)
 {
-    return lower_term(l, term, (const Ref[TERM_MOST_ARGUMENTS]){x});
+    return lower_term(l, term, (const Ref[TERM_MAX_ARGUMENTS]){x});
 }
 
 Answer lower_Power(Lower *l, const Node *node, Group group, const Env *env)
@@ -183,7 +183,7 @@ Answer lower_Power(Lower *l, const Node *node, Group group, const Env *env)
     const ParamRow *row = &param_table[P_Power_exponent];
     Ref low = build_float(l->ir, row->low), high = build_float(l->ir, row->high);
     Ref exponent = build_clamp(l->ir, number(l, node, P_Power_exponent, env), low, high);
-    return given(l, curved(l, &(Curve){raised, {exponent}}, x, MOST_HALVINGS), group);
+    return given(l, curved(l, &(Curve){raised, {exponent}}, x, MAX_HALVINGS), group);
 }
 
 /* Changes hue, saturation and value; a fourth component, if any, is a placeholder for the
@@ -205,7 +205,7 @@ Answer lower_HSV(Lower *l, const Node *node, Group group, const Env *env)
     const Ref hue = number(l, node, P_HSV_hue, env),
               saturation = number(l, node, P_HSV_saturation, env),
               value = number(l, node, P_HSV_value, env);
-    return given(l, curved(l, &(Curve){turned, {hue, saturation, value}}, x, MOST_HALVINGS), group);
+    return given(l, curved(l, &(Curve){turned, {hue, saturation, value}}, x, MAX_HALVINGS), group);
 }
 
 Answer lower_Combine(Lower *l, const Node *node, Group group, const Env *env)
@@ -221,7 +221,7 @@ Answer lower_Separate(Lower *l, const Node *node, Group group, const Env *env)
 {
     static const char *const components[] = {"x", "y", "z", "w"};
     const int component =
-        (int)node_param(node, P_Separate_channel)->number[0] - (int)WORD_Channel_r;
+        (int)node_param(node, P_Separate_channel)->number[0] - (int)KEYWORD_Channel_r;
     Answer x = colour(l, node, P_Separate_input, env);
     return given(l, answer_swizzle(l, answer_widened(l, x, TYPE_vec4), components[component]),
                  group);

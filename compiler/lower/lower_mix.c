@@ -142,7 +142,7 @@ static Ref named_share(Lower *l, const Node *mix, Answer mask)
     Ir *ir = l->ir;
     const uint32_t origin = ir->origin;
     ir->origin = ir_origin(ir, mix);
-    const Ref share = share_of_second(l, mask, MOST_SPLITS);
+    const Ref share = share_of_second(l, mask, MAX_SPLITS);
     lower_mark_head(ir, share, ir->origin);
     ir->origin = origin;
     return share;
@@ -165,7 +165,7 @@ static Ref mix_of(Lower *l, const Node *m, Slot slot, const Env *env)
     first = guarded_side(l, &sides[0], first);
     second = guarded_side(l, &sides[1], second);
     if (slot_weight(slot) == SLOT_COUNT)
-        return mixed_by(l, slot, (Ref[]){first, second}, mask, MOST_SPLITS);
+        return mixed_by(l, slot, (Ref[]){first, second}, mask, MAX_SPLITS);
     return build_mix(ir, first, second, weighed(l, sides, slot_weight(slot), t, env));
 }
 

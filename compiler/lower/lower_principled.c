@@ -14,7 +14,7 @@ static Ref red(Lower *l, const Node *m, int param, const Env *env)
 }
 
 /* Minimum divisor of quotients whose divisor is 1 plus a reflectance. */
-static const double LEAST_SUM = 1e-6;
+static const double MIN_SUM = 1e-6;
 
 static Ref unit(Ir *ir, Ref x)
 {
@@ -43,9 +43,9 @@ static Ref reflectance(Lower *l, const Node *m, const Coat *coat, const Env *env
     Ref clear = share(l, m, P_Principled_transmission, env);
     if (!is_thin(m) || ir_is_number(ir, clear, 0))
         return once;
-    Ref both = build_div(
-        ir, build_scale(ir, once, 2),
-        build_max(ir, build_add(ir, build_float(ir, 1), once), build_float(ir, LEAST_SUM)));
+    Ref both =
+        build_div(ir, build_scale(ir, once, 2),
+                  build_max(ir, build_add(ir, build_float(ir, 1), once), build_float(ir, MIN_SUM)));
     return build_mix(ir, once, both, clear);
 }
 
@@ -299,7 +299,7 @@ Ref lower_Principled(Lower *l, const Node *m, Slot slot, const Env *env)
 }
 
 /* Lower bound of the specular color, below which the tint approaches white. */
-static const double LEAST_TINT = 1e-6;
+static const double MIN_TINT = 1e-6;
 
 Ref lower_principled_of_phong(Lower *l, Slot slot, const PhongSlots *phong)
 {
@@ -308,7 +308,7 @@ Ref lower_principled_of_phong(Lower *l, Slot slot, const PhongSlots *phong)
         build_div(ir, build_float(ir, 2), build_add(ir, phong->exponent, build_float(ir, 2)));
     Ref x = build_component(ir, phong->specular, 0), y = build_component(ir, phong->specular, 1),
         z = build_component(ir, phong->specular, 2);
-    Ref most = build_max(ir, build_max(ir, x, y), z), least = build_float(ir, LEAST_TINT);
+    Ref most = build_max(ir, build_max(ir, x, y), z), least = build_float(ir, MIN_TINT);
     switch (slot) {
     case SLOT_normal:
     case SLOT_diffuse:

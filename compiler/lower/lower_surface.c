@@ -211,9 +211,9 @@ typedef struct {
     IrTexture texture;
     Function function;
     double step;
-    int component; /* selected component, or ALL_COMPONENTS */
-    Word address;  /* addressing that no sampler does */
-    bool centred;  /* a texel's color is at its center */
+    int component;   /* selected component, or ALL_COMPONENTS */
+    Keyword address; /* addressing that no sampler does */
+    bool centred;    /* a texel's color is at its center */
 } Sampled;
 
 /* Returns the components of an image function's result. */
@@ -250,9 +250,9 @@ static double turn_of(const Sampled *sampled)
 {
     if (sampled->texture.sampled)
         return 0;
-    return sampled->address == WORD_Address_repeat   ? 1
-           : sampled->address == WORD_Address_mirror ? 2
-                                                     : 0;
+    return sampled->address == KEYWORD_Address_repeat   ? 1
+           : sampled->address == KEYWORD_Address_mirror ? 2
+                                                        : 0;
 }
 
 /* Returns uv + step, or an equivalent point: far from the origin the step would be lost to
@@ -324,7 +324,7 @@ static Ref sample_group(Lower *l, const Sampled *sampled, Ref uv, Group group)
     return lower_as_group(l, value, group);
 }
 
-static bool is_word(const Node *node, int param, Word word)
+static bool is_word(const Node *node, int param, Keyword word)
 {
     const Value *value = node_param(node, param);
     return value->kind == VALUE_number && value->number[0] == word;
@@ -334,7 +334,7 @@ static bool is_word(const Node *node, int param, Word word)
 static int channel_component(const Node *node)
 {
     const Value *value = node_param(node, P_ImageMap_channel);
-    return value->kind == VALUE_number ? (int)value->number[0] - (int)WORD_Channel_r
+    return value->kind == VALUE_number ? (int)value->number[0] - (int)KEYWORD_Channel_r
                                        : ALL_COMPONENTS;
 }
 
@@ -360,22 +360,22 @@ static bool is_sampled(Function function)
 
 /* Returns the wrap mode of the sampler, as far as the sampler can do the addressing and the
  * program allows it. Without filtering texels are fetched, and one sampler is enough. */
-static Word wrap_of(const Lower *l, Word address, bool sampled)
+static Keyword wrap_of(const Lower *l, Keyword address, bool sampled)
 {
     const bool borders = sampled && target_table[l->job->target].borders;
     if (l->job->choice[AXIS_aa] == CHOICE_aa_none)
-        return WORD_Address_repeat;
-    return address == WORD_Address_border && !borders ? WORD_Address_clamp : address;
+        return KEYWORD_Address_repeat;
+    return address == KEYWORD_Address_border && !borders ? KEYWORD_Address_clamp : address;
 }
 
 static Sampled sampled_image(Lower *l, const Node *node, const Image *picture, Ref uv)
 {
     double bilinear[4];
     value_number(node_param(node, P_ImageMap_bilinearFiltering), TYPE_float, bilinear);
-    const Word address = (Word)node_param(node, P_ImageMap_address)->number[0];
+    const Keyword address = (Keyword)node_param(node, P_ImageMap_address)->number[0];
     const Function function = area_picture_function(l, uv, bilinear[0] != 0);
-    const bool srgb = is_word(node, P_ImageMap_colorspace, WORD_ColorSpace_srgb) &&
-                      !is_word(node, P_ImageMap_channel, WORD_Channel_a);
+    const bool srgb = is_word(node, P_ImageMap_colorspace, KEYWORD_ColorSpace_srgb) &&
+                      !is_word(node, P_ImageMap_channel, KEYWORD_Channel_a);
     const IrTexture texture = {
         .kind = TEXTURE_image,
         .image = picture,
@@ -391,8 +391,9 @@ static Sampled sampled_image(Lower *l, const Node *node, const Image *picture, R
         .texture = texture,
         .function = function,
         .component = channel_component(node),
-        .address = is_sampled(function) && texture.wrap == address ? WORD_Address_repeat : address,
-        .centred = bilinear[0] != 0 && is_word(node, P_ImageMap_texels, WORD_Texels_centre),
+        .address =
+            is_sampled(function) && texture.wrap == address ? KEYWORD_Address_repeat : address,
+        .centred = bilinear[0] != 0 && is_word(node, P_ImageMap_texels, KEYWORD_Texels_centre),
     };
 }
 
@@ -405,8 +406,8 @@ Answer lower_ImageMap(Lower *l, const Node *node, Group group, const Env *env)
     Ref uv = build_swizzle(ir, lower_ask(l, lower_param_node(node, P_ImageMap_input), GROUP_U, env),
                            "xy");
     const bool opaque =
-        image->image->opaque && !is_word(node, P_ImageMap_address, WORD_Address_border);
-    if (opaque && is_word(node, P_ImageMap_channel, WORD_Channel_a))
+        image->image->opaque && !is_word(node, P_ImageMap_address, KEYWORD_Address_border);
+    if (opaque && is_word(node, P_ImageMap_channel, KEYWORD_Channel_a))
         return constant(l, build_float(ir, 1), group);
     const Sampled sampled = sampled_image(l, node, image->image, uv);
     Ref value = sample_group(l, &sampled, uv, group);
@@ -428,12 +429,12 @@ Answer lower_Carpenter(Lower *l, const Node *node, Group group, const Env *env)
         l->ir, lower_ask(l, lower_param_node(node, P_Carpenter_input), GROUP_U, env), "xy");
     const IrTexture texture = {.kind = TEXTURE_carpenter,
                                .texels = TEXELS_R32F,
-                               .wrap = WORD_Address_repeat,
+                               .wrap = KEYWORD_Address_repeat,
                                .node = node,
                                .width = (int)width[0],
                                .height = (int)height[0]};
     return answer_of(sample_group(l,
                                   &(Sampled){texture, FN_carpenterRelief, row->step, ALL_COMPONENTS,
-                                             WORD_Address_repeat, false},
+                                             KEYWORD_Address_repeat, false},
                                   uv, group));
 }

@@ -12,7 +12,7 @@
 #include <float.h>
 #include <math.h>
 
-static const double LEAST_DIVISOR = 1e-30, LEAST_BASE = 1e-37, GREATEST_POWER = 1e37;
+static const double MIN_DIVISOR = 1e-30, MIN_BASE = 1e-37, GREATEST_POWER = 1e37;
 
 static const char *const component_name[] = {"x", "y", "z", "w"};
 
@@ -47,14 +47,14 @@ static bool is_far_from_zero(const Ir *ir, Ref a)
 {
     const double *known = ir_is(ir, a, OP_const) ? ir_numbers(ir, a) : NULL;
     for (int i = 0; known && i < ir_components(ir, a); i++)
-        if (fabs(known[i]) < LEAST_DIVISOR)
+        if (fabs(known[i]) < MIN_DIVISOR)
             return false;
     return known != NULL;
 }
 
 static Ref is_no_divisor(Lower *l, Ref a)
 {
-    return build_lt(l->ir, build_abs(l->ir, a), build_float(l->ir, LEAST_DIVISOR));
+    return build_lt(l->ir, build_abs(l->ir, a), build_float(l->ir, MIN_DIVISOR));
 }
 
 /* Guards both operands: unchanged where the divisor is far from 0, else 0 and 1. The operands
@@ -108,8 +108,7 @@ static Ref power_by_number(Lower *l, Ref base, Ref exponent, double by)
     Ir *ir = l->ir;
     const double border = pow(GREATEST_POWER, 1 / by),
                  least_by = log(GREATEST_POWER) / log(FLT_MAX);
-    Ref within =
-        build_max(ir, base, build_float(ir, by < 0 ? fmax(border, LEAST_BASE) : LEAST_BASE));
+    Ref within = build_max(ir, base, build_float(ir, by < 0 ? fmax(border, MIN_BASE) : MIN_BASE));
     if (by > least_by) /* a lower exponent reaches the bound with no float */
         within = build_min(ir, within, build_float(ir, border));
     return build_pow(ir, within, exponent);
@@ -125,7 +124,7 @@ static Ref power(Lower *l, const Ref *x)
         ir_is(ir, number, OP_const) && ir_components(ir, number) == 1 ? *ir_numbers(ir, number) : 0;
     if (by != 0)
         return power_by_number(l, x[0], x[1], minus ? -by : by);
-    Ref raised = build_pow(ir, build_max(ir, x[0], build_float(ir, LEAST_BASE)), x[1]);
+    Ref raised = build_pow(ir, build_max(ir, x[0], build_float(ir, MIN_BASE)), x[1]);
     return build_min(ir, raised, build_float(ir, GREATEST_POWER));
 }
 

@@ -203,7 +203,7 @@ Answer lower_XYZTransform(Lower *l, const Node *node, Group group, const Env *en
  * alike. */
 Answer lower_Turbulence(Lower *l, const Node *node, Group group, const Env *env)
 {
-    enum { MOST_OCTAVES = 10 };
+    enum { MAX_OCTAVES = 10 };
     Answer q = lower_answer(l, lower_param_node(node, P_Turbulence_input), group, env);
     if (group != GROUP_X && group != GROUP_U)
         return q;
@@ -211,7 +211,7 @@ Answer lower_Turbulence(Lower *l, const Node *node, Group group, const Env *env)
     lower_reject_uniform(l, octaves, "octaves", "the loop over the octaves has a fixed length");
     double given[4];
     value_number(octaves, TYPE_float, given);
-    Ref n = build_int(l->ir, clamp(given[0], 1, MOST_OCTAVES));
+    Ref n = build_int(l->ir, clamp(given[0], 1, MAX_OCTAVES));
     Ref frequency = lower_param(l, node_param(node, P_Turbulence_frequencyRatio), TYPE_float);
     Ref noise_ratio = lower_param(l, node_param(node, P_Turbulence_noiseRatio), TYPE_float);
     Answer offset = area_vector_turbulence(l, q, (Ref[]){n, frequency, noise_ratio});

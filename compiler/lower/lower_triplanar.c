@@ -9,7 +9,7 @@
 #include "compiler/lower/slope.h"
 
 enum { AXES = 3 };
-static const double TRIPLANAR_LEAST_SHARE = 1 / 64.; /* min weight of an axis: semantics.md 2.5 */
+static const double TRIPLANAR_MIN_SHARE = 1 / 64.; /* min weight of an axis: semantics.md 2.5 */
 
 static const int maps_of[AXES] = {P_Triplanar_x, P_Triplanar_y, P_Triplanar_z};
 
@@ -50,7 +50,7 @@ static Env projected_env(Lower *l, const Env *env, Answer p, int axis)
 }
 
 /* Returns the weights of the axes: |n|^k of the unit normal, as a share of the sum; the excess
- * over TRIPLANAR_LEAST_SHARE counts. The weights count as constant when the map is
+ * over TRIPLANAR_MIN_SHARE counts. The weights count as constant when the map is
  * differentiated. */
 static Ref weights_of(Lower *l, Ref p, Ref sharpness)
 {
@@ -63,7 +63,7 @@ static Ref weights_of(Lower *l, Ref p, Ref sharpness)
     Ref weight = build_pow(ir, base, build_splat(ir, sharpness, TYPE_vec3));
     const Ref ones = build_all(ir, TYPE_vec3, 1), sum = build_dot(ir, weight, ones);
     Ref share =
-        build_sub(ir, build_div(ir, weight, sum), build_all(ir, TYPE_vec3, TRIPLANAR_LEAST_SHARE));
+        build_sub(ir, build_div(ir, weight, sum), build_all(ir, TYPE_vec3, TRIPLANAR_MIN_SHARE));
     share = build_max(ir, share, build_all(ir, TYPE_vec3, 0));
     return build_div(ir, share, build_dot(ir, share, ones));
 }

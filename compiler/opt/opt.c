@@ -1,7 +1,7 @@
 /* Runs the optimizer passes in order. */
 #include "compiler/opt/opt.h"
 
-enum { MOST_ROUNDS = 8 };
+enum { MAX_ROUNDS = 8 };
 
 typedef struct {
     const char *name;
@@ -30,7 +30,7 @@ static bool run_rounds(Session *session, Ir *ir)
     static const OptPass polish = {"polish", opt_polish}, range = {"range", opt_range},
                          function = {"function", opt_function};
     bool found = true; /* ranges or functions changed something */
-    for (int round = 0; round < MOST_ROUNDS; round++) {
+    for (int round = 0; round < MAX_ROUNDS; round++) {
         bool polished = false;
         if (!run(session, ir, &polish, &polished))
             return false;

@@ -17,7 +17,7 @@
 enum {
     WORTH_A_BRANCH = 40, /* scalar operations */
     /* Payload of a dead guard; its hash is not updated, since no more guards are created. */
-    MOOT = 2,
+    DEAD = 2,
 };
 
 typedef struct {
@@ -72,7 +72,7 @@ static void judge(Ir *ir, Guards *g, Ref first)
     for (Ref guard = first; guard; guard = g->next[guard]) {
         const Ref value = ir_arg(ir, guard, 1);
         if (!paid || g->own[value] < g->uses[value])
-            ir->nodes[guard].payload = MOOT;
+            ir->nodes[guard].payload = DEAD;
     }
     while (g->met_count)
         g->own[g->met[--g->met_count]] = 0;
@@ -83,7 +83,7 @@ static Ref settle(Ir *ir, Ref ref, const void *user)
     (void)user;
     if (!build_is_guard(ir, ref))
         return ref;
-    if (ir_at(ir, ref)->payload == MOOT)
+    if (ir_at(ir, ref)->payload == DEAD)
         return ir_arg(ir, ref, 1);
     return build_select(ir, ir_arg(ir, ref, 0), ir_arg(ir, ref, 1), ir_arg(ir, ref, 2));
 }

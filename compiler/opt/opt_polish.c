@@ -3,7 +3,7 @@
  * them when uses are known. */
 #include "compiler/opt/opt.h"
 
-enum { MOST_REWRITES = 16 };
+enum { MAX_REWRITES = 16 };
 
 enum { FOLD, ALGEBRA, SWIZZLE, SELECT, POWER, RULE_COUNT };
 static IrRewrite *const rules[RULE_COUNT] = {opt_rewrite_fold, opt_rewrite_algebra,
@@ -31,7 +31,7 @@ static Ref apply_rules(Ir *ir, Ref ref, const void *user)
 {
     unsigned left = rules_for(ir, ref); /* rules still to be tried */
     int rule = 0;
-    for (int run = 0; left && run < MOST_REWRITES * RULE_COUNT;
+    for (int run = 0; left && run < MAX_REWRITES * RULE_COUNT;
          run++, rule = rule + 1 < RULE_COUNT ? rule + 1 : 0) {
         if (!(left >> rule & 1))
             continue;

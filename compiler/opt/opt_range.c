@@ -7,7 +7,7 @@
 #include "compiler/ir/range.h"
 #include <math.h>
 
-enum { MOST_COMPONENTS = 4 };
+enum { MAX_COMPONENTS = 4 };
 
 /* State of the sweep. */
 typedef struct {
@@ -81,7 +81,7 @@ static const bool *find_steps(Ir *ir, Ref count)
 static Ref only_value(Ir *ir, Ref ref, const Known *known)
 {
     const Type type = ir_type(ir, ref);
-    double components[MOST_COMPONENTS] = {0};
+    double components[MAX_COMPONENTS] = {0};
     if (type < TYPE_float || type > TYPE_vec4 || ir_is(ir, ref, OP_const) ||
         ref >= known->ranges->count)
         return ref;
@@ -131,7 +131,7 @@ bool opt_range(Ir *ir)
     const bool *steps = NULL;
     if (!ir->ranges) {
         ir->ranges = ARENA_NEW(&ir->kept, Ranges);
-        ir->ranges->components = MOST_COMPONENTS;
+        ir->ranges->components = MAX_COMPONENTS;
     }
     range_find_live(ir->ranges, ir, &ir->kept, live);
     const Known known = {ir->ranges, &steps};

@@ -1,7 +1,7 @@
 /* Evaluates the maps Cells and CellCentre. */
 #include "compiler/oracle/oracle_maps.h"
 
-static int word_of(const Node *node, int param, Word first)
+static int keyword_of(const Node *node, int param, Keyword first)
 {
     return (int)node_param(node, param)->number[0] - (int)first;
 }
@@ -38,8 +38,8 @@ static double cells_at(const void *map, const double q[3])
     const Cells *c = map;
     static const int functions[][2] = {{FN_cells2, FN_cells3}, {FN_cells2Random, FN_cells3Random}};
     const Question about = {c->dimensions, oracle_number(c->node, P_Cells_jitter),
-                            word_of(c->node, P_Cells_distance, WORD_Distance_euclidean),
-                            word_of(c->node, P_Cells_value, WORD_CellsValue_F1)};
+                            keyword_of(c->node, P_Cells_distance, KEYWORD_Distance_euclidean),
+                            keyword_of(c->node, P_Cells_value, KEYWORD_CellsValue_F1)};
     double result[4];
     ask(c->environment, functions[c->random], &about, q, result);
     return oracle_waved(c->environment, c->node, result[0]);
@@ -52,7 +52,7 @@ double oracle_Cells(Environment *environment, const Node *node, int channel)
     if (component_of(channel) == 3)
         return 1;
     const Cells cells = {environment, node, oracle_number(node, P_Cells_dimensions) >= 3 ? 3 : 2,
-                         word_of(node, P_Cells_value, WORD_CellsValue_random) == 0};
+                         keyword_of(node, P_Cells_value, KEYWORD_CellsValue_random) == 0};
     const Group group = cells.dimensions == 2 ? GROUP_U : GROUP_X;
     double q[3], q0[3];
     oracle_ask_input3(environment, node, group, q);
@@ -71,7 +71,7 @@ double oracle_CellCentre(Environment *environment, const Node *node, int channel
     if (!in_triple(channel, GROUP_X) && !(in_triple(channel, GROUP_U) && component_of(channel) < 2))
         return oracle_ask_input(environment, node, channel);
     const Question about = {group == GROUP_U ? 2 : 3, oracle_number(node, P_CellCentre_jitter),
-                            word_of(node, P_CellCentre_distance, WORD_Distance_euclidean), 0};
+                            keyword_of(node, P_CellCentre_distance, KEYWORD_Distance_euclidean), 0};
     double q[3], point[4];
     oracle_ask_input3(environment, node, group, q);
     ask(environment, functions, &about, q, point);

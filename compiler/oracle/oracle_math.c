@@ -2,7 +2,7 @@
  * first components. */
 #include "compiler/oracle/oracle_maps.h"
 
-static const double LEAST_WIDTH = 1e-30, MOST_EXPONENT = 64;
+static const double MIN_WIDTH = 1e-30, MAX_EXPONENT = 64;
 
 /* Returns a component of a parameter's color, that of the channel, whatever its group. */
 static double component_at(Environment *environment, const Node *node, int param, int component)
@@ -41,9 +41,8 @@ double oracle_Remap(Environment *environment, const Node *node, int channel)
                  to_high = component_at(environment, node, P_Remap_toHigh, 0);
     if (component_of(channel) == 3)
         return x;
-    return fabs(high - low) < LEAST_WIDTH
-               ? to_low
-               : to_low + (to_high - to_low) * ((x - low) / (high - low));
+    return fabs(high - low) < MIN_WIDTH ? to_low
+                                        : to_low + (to_high - to_low) * ((x - low) / (high - low));
 }
 
 double oracle_Contrast(Environment *environment, const Node *node, int channel)
@@ -68,7 +67,7 @@ double oracle_Power(Environment *environment, const Node *node, int channel)
 {
     const double x = component_at(environment, node, P_Power_input, component_of(channel));
     const double exponent =
-        fmin(fmax(component_at(environment, node, P_Power_exponent, 0), 0), MOST_EXPONENT);
+        fmin(fmax(component_at(environment, node, P_Power_exponent, 0), 0), MAX_EXPONENT);
     return component_of(channel) == 3 ? x : fmin(pow(fmax(x, 1e-37), exponent), 1e37);
 }
 
@@ -129,7 +128,7 @@ double oracle_Combine(Environment *environment, const Node *node, int channel)
 double oracle_Separate(Environment *environment, const Node *node, int channel)
 {
     const int component =
-        (int)node_param(node, P_Separate_channel)->number[0] - (int)WORD_Channel_r;
+        (int)node_param(node, P_Separate_channel)->number[0] - (int)KEYWORD_Channel_r;
     return component_of(channel) == 3
                ? 1
                : component_at(environment, node, P_Separate_input, component);

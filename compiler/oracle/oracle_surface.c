@@ -59,7 +59,7 @@ double oracle_Ramp(Environment *environment, const Node *node, int channel)
     ask_uv(environment, node, uv);
     const double a = oracle_ask_param(environment, node, P_Ramp_a, channel),
                  b = oracle_ask_param(environment, node, P_Ramp_b, channel);
-    return between(a, b, uv[node_param(node, P_Ramp_along)->number[0] == WORD_Axis_v]);
+    return between(a, b, uv[node_param(node, P_Ramp_along)->number[0] == KEYWORD_Axis_v]);
 }
 
 double oracle_CornerRamp(Environment *environment, const Node *node, int channel)
@@ -207,7 +207,7 @@ static double no_picture(int channel)
 
 enum { NO_WORD = -1 };
 
-static int word_of(const Node *node, int param)
+static int keyword_of(const Node *node, int param)
 {
     const Value *value = node_param(node, param);
     return value->kind == VALUE_number ? (int)value->number[0] : NO_WORD;
@@ -217,7 +217,7 @@ static int word_of(const Node *node, int param)
 static bool is_centred(const Node *node)
 {
     return oracle_number(node, P_ImageMap_bilinearFiltering) != 0 &&
-           word_of(node, P_ImageMap_texels) == WORD_Texels_centre;
+           keyword_of(node, P_ImageMap_texels) == KEYWORD_Texels_centre;
 }
 
 double oracle_ImageMap(Environment *environment, const Node *node, int channel)
@@ -236,11 +236,11 @@ double oracle_ImageMap(Environment *environment, const Node *node, int channel)
                     .bytes = image_bytes(image),
                     .words = image_words(image),
                     .floats = image_floats(image),
-                    .srgb = word_of(node, P_ImageMap_colorspace) == WORD_ColorSpace_srgb,
-                    .wrap =
-                        (ReferenceWrap)(word_of(node, P_ImageMap_address) - WORD_Address_repeat)},
-        .gray = word_of(node, P_ImageMap_channel) != NO_WORD,
-        .channel = word_of(node, P_ImageMap_channel) - WORD_Channel_r,
+                    .srgb = keyword_of(node, P_ImageMap_colorspace) == KEYWORD_ColorSpace_srgb,
+                    .wrap = (ReferenceWrap)(keyword_of(node, P_ImageMap_address) -
+                                            KEYWORD_Address_repeat)},
+        .gray = keyword_of(node, P_ImageMap_channel) != NO_WORD,
+        .channel = keyword_of(node, P_ImageMap_channel) - KEYWORD_Channel_r,
         .centred = is_centred(node),
         .step_u = 1. / image->width,
         .step_v = 1. / image->height,

@@ -9,7 +9,7 @@
 
 enum {
     USUAL_COUNT = 5, /* octaves or steps that a function's cost in the tables assumes */
-    MOST_COUNTED = 1000
+    MAX_COUNTED = 1000
 };
 
 void oracle_spend(const Environment *environment, double steps)
@@ -26,7 +26,7 @@ static double count_of(int function, const double *args)
     static const int components[] = {['2'] = 2, ['3'] = 3, ['4'] = 4, ['f'] = 1, ['s'] = 1};
     for (const char *letter = function_arguments(function); *letter; letter++) {
         if (*letter == 'i')
-            return clamp(*args, USUAL_COUNT, MOST_COUNTED);
+            return clamp(*args, USUAL_COUNT, MAX_COUNTED);
         args += components[(int)*letter];
     }
     return USUAL_COUNT;

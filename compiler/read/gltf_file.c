@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_DIGITS = 7 };
+enum { MAX_DIGITS = 7 };
 
 typedef struct {
     GltfBytes bytes;
@@ -239,7 +239,7 @@ bool gltf_file_picture(Session *session, GltfFiles *files, const char *path, Glt
     GltfFile *file = file_of(session, files, place.path);
     if (!file->root)
         return *why = file->why, false;
-    const Tree *image = digits && digits <= MOST_DIGITS && !number[digits]
+    const Tree *image = digits && digits <= MAX_DIGITS && !number[digits]
                             ? gltf_file_item(file->root, "images", strtoul(number, NULL, 10))
                             : NULL;
     const Tree *uri = gltf_file_value(image, "uri"), *view = gltf_file_value(image, "bufferView");

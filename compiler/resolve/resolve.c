@@ -144,13 +144,13 @@ static void set_presets(const char *preset, Kind kind, Value *params)
 /* Returns a hint for an unknown parameter: matc's name for it, a similar name, or all names. */
 static const char *near_param(Resolver *r, const KindRow *row, const char *key)
 {
-    enum { MOST_LISTED = 12 }; /* longer lists do not help within a message */
+    enum { MAX_LISTED = 12 }; /* longer lists do not help within a message */
     const char *foreign =
         common_error_foreign(r->session, FOREIGN_PARAM, (Kind)(row - kind_table), key);
     if (!foreign)
         foreign = common_error_foreign(r->session, FOREIGN_KEY, KIND_COUNT, key);
     const NameChoice names = {param_name, row, row->count};
-    if (foreign || row->count <= MOST_LISTED)
+    if (foreign || row->count <= MAX_LISTED)
         return foreign ? foreign : diag_suggest_or_list(r->session, key, &names, "; it has ");
     const char *near = diag_suggest(r->session, key, names.name, names.user, names.count);
     if (*near || diag_full(r->session))

@@ -57,10 +57,10 @@ static const char *names_of_words(Resolver *r, ParamKind list)
 {
     Text text = text_new(r->session->arena);
     for (int i = 0, first = 1; i < WORD_COUNT; i++) {
-        if (word_table[i].list != list)
+        if (keyword_table[i].list != list)
             continue;
-        bool last = i + 1 == WORD_COUNT || word_table[i + 1].list != list;
-        text_format(&text, "%s%s", first ? "" : last ? " or " : ", ", word_table[i].name);
+        bool last = i + 1 == WORD_COUNT || keyword_table[i + 1].list != list;
+        text_format(&text, "%s%s", first ? "" : last ? " or " : ", ", keyword_table[i].name);
         first = 0;
     }
     return text.at;
@@ -83,7 +83,7 @@ static bool resolve_word(Resolver *r, const ParamRow *row, const Tree *tree, Val
         return true;
     }
     for (int i = 0; tree->kind == TREE_scalar && i < WORD_COUNT; i++)
-        if (word_table[i].list == row->type && !strcmp(word_table[i].name, tree->text)) {
+        if (keyword_table[i].list == row->type && !strcmp(keyword_table[i].name, tree->text)) {
             *value = (Value){.kind = VALUE_number, .type = TYPE_int, .number = {i}};
             return true;
         }

@@ -25,13 +25,13 @@ void resolve_picture(Resolver *r, const Node *node, Value *params)
     Value *space = &params[P_ImageMap_colorspace - kind_table[KIND_ImageMap].first];
     const Value *image = &params[P_ImageMap_image - kind_table[KIND_ImageMap].first];
     const bool floats = image->kind == VALUE_image && image->image->bits == 32;
-    if (floats && space->kind == VALUE_number && space->number[0] == WORD_ColorSpace_srgb)
+    if (floats && space->kind == VALUE_number && space->number[0] == KEYWORD_ColorSpace_srgb)
         diag_add(r->session, space->span, DIAG_float_srgb);
     Value *texels = &params[P_ImageMap_texels - kind_table[KIND_ImageMap].first];
     const bool decided = space->kind != VALUE_none;
     if (!decided)
         *space =
-            (Value){.kind = VALUE_number, .type = TYPE_int, .number = {WORD_ColorSpace_linear}};
+            (Value){.kind = VALUE_number, .type = TYPE_int, .number = {KEYWORD_ColorSpace_linear}};
     const UndecidedPicture picture = {node, decided || floats ? NULL : space,
                                       texels->given ? NULL : texels};
     if (picture.colorspace || picture.texels)
@@ -112,8 +112,8 @@ void resolve_picture_spaces(Resolver *r, const NamedMaterial *materials, int cou
         const int node = picture->node->index;
         if (picture->colorspace &&
             (tinting[node] || (colored[node] && resolve_is_srgb(r, picture->node->span.file))))
-            picture->colorspace->number[0] = WORD_ColorSpace_srgb;
+            picture->colorspace->number[0] = KEYWORD_ColorSpace_srgb;
         if (picture->texels && below[node])
-            picture->texels->number[0] = WORD_Texels_centre;
+            picture->texels->number[0] = KEYWORD_Texels_centre;
     }
 }

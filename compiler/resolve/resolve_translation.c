@@ -48,8 +48,8 @@ static int find_word(Kind kind, const char *name)
     const KindRow *row = &kind_table[kind];
     for (int i = 0; i < row->count; i++)
         for (int word = 0; word < WORD_COUNT; word++)
-            if (word_table[word].list == param_table[row->first + i].type &&
-                !strcmp(word_table[word].name, name))
+            if (keyword_table[word].list == param_table[row->first + i].type &&
+                !strcmp(keyword_table[word].name, name))
                 return word;
     return -1;
 }

@@ -82,7 +82,7 @@ static void share_shapes(Batch *b, KeySet *keys)
     for (int i = 0; i < count; i++) {
         BatchProgram *program = &b->programs[i];
         int members = program->unit_count > 1 ? find_members(program) : 0;
-        if (members && members <= MOST_CONSTANTS)
+        if (members && members <= MAX_CONSTANTS)
             continue;
         free(program->members);
         program->members = NULL;

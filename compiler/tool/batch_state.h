@@ -69,7 +69,7 @@ typedef struct {
 typedef struct {
     const CommandLine *line;
     const BatchCalls *calls;
-    const char *requests[MOST_PASSES]; /* requested passes */
+    const char *requests[MAX_PASSES]; /* requested passes */
     int request_count;
     Numbers numbers;
     unsigned outputs; /* MatcOutput flags of a program */

@@ -50,7 +50,7 @@ static bool choose_for_batch(void *user, const MatcDocument *document, int mater
                              MatcOptions *options)
 {
     const char *pass = options->pass;
-    bool fine = main_choose(user, document, material, options) == FINE;
+    bool fine = main_choose(user, document, material, options) == EXIT_OK;
     options->pass = pass;
     return fine;
 }
@@ -73,10 +73,10 @@ static int run_batch(CommandLine *line, BatchResult *result)
                               isatty(STDERR_FILENO) && line->input_count > 1 ? show_progress : NULL,
                               warn_of_cache, choose_for_batch, line};
     if (!batch_run(line, &calls, result))
-        return FAULT;
+        return EXIT_ERROR;
     if (line->stats)
         print_counts(result);
-    return FINE;
+    return EXIT_OK;
 }
 
 /* Opens a custom layout for all compilations; `line->compile.custom` is to be freed. */
@@ -84,7 +84,7 @@ static int use_layout(CommandLine *line)
 {
     char *fault;
     if (line->folder && line->compile.layout && !strcmp(line->compile.layout, "auto"))
-        return FINE; /* the batch derives it from its materials */
+        return EXIT_OK; /* the batch derives it from its materials */
     MatcLayout *layout = layout_open(line, &fault);
     if (fault)
         main_fault(line, fault);
@@ -95,7 +95,7 @@ static int use_layout(CommandLine *line)
     if (layout && fine && line->stats && !line->explain)
         fputs(matc_layout_report(layout), stderr);
     line->compile.custom = layout;
-    return fine ? FINE : FAULT;
+    return fine ? EXIT_OK : EXIT_ERROR;
 }
 
 static void free_layout(CommandLine *line)
@@ -106,7 +106,7 @@ static void free_layout(CommandLine *line)
 
 static int run_inputs(CommandLine *line)
 {
-    int status = FINE;
+    int status = EXIT_OK;
     for (int i = 0; i < line->input_count; i++)
         status |= main_document(line, line->inputs[i]);
     return status;
@@ -126,8 +126,8 @@ static int run(CommandLine *line, BatchResult *result)
     *result = (BatchResult){0};
     int status = use_layout(line);
     if (line->watched)
-        watch_layout(line, status != FINE);
-    if (status == FINE)
+        watch_layout(line, status != EXIT_OK);
+    if (status == EXIT_OK)
         status = line->folder ? run_batch(line, result) : run_inputs(line);
     free_layout(line);
     return status;
@@ -136,7 +136,7 @@ static int run(CommandLine *line, BatchResult *result)
 static int explain_layout(CommandLine *line)
 {
     int status = use_layout(line);
-    if (status == FINE)
+    if (status == EXIT_OK)
         fputs(matc_layout_report(line->compile.custom), stdout);
     free_layout(line);
     return status;
@@ -148,7 +148,7 @@ static int answer(const CommandLine *line, char *text, const char *otherwise)
         return main_usage(line, otherwise);
     fputs(text, stdout);
     free(text);
-    return FINE;
+    return EXIT_OK;
 }
 
 /* Prints all kinds of names, or one kind: "--list=maps", "--list maps". */
@@ -180,7 +180,7 @@ static bool asks_of_documents(const CommandLine *line)
 
 static int answer_of_documents(CommandLine *line)
 {
-    int status = word_asked(line) ? main_definitions(line, word_asked(line)) : FINE;
+    int status = word_asked(line) ? main_definitions(line, word_asked(line)) : EXIT_OK;
     for (int i = 0; i < line->input_count; i++)
         status |= main_definitions(line, line->inputs[i]);
     return status;
@@ -195,7 +195,7 @@ static int print_cache(const CommandLine *line)
         return main_complain(line, line->cache, text_error(errno));
     fputs(text, stdout);
     free(text);
-    return FINE;
+    return EXIT_OK;
 }
 
 static const char *schema_name(const void *user, int i)
@@ -208,7 +208,7 @@ static const char *schema_name(const void *user, int i)
 static int check_usage(CommandLine *line)
 {
     const char *fault = options_check(line);
-    return fault ? main_usage(line, fault) : FINE;
+    return fault ? main_usage(line, fault) : EXIT_OK;
 }
 
 static bool read_command_line(CommandLine *line, int argc, char **argv, const char **fault)
@@ -238,7 +238,7 @@ static void run_and_tell(CommandLine *line, Watch *watch)
     const long took = lround((session_now() - start) * 1e3);
     watch_set(watch, (const char *const *)files.at, files.count);
     const char *s = files.count == 1 ? "" : "s";
-    if (status != FINE)
+    if (status != EXIT_OK)
         fprintf(stderr, "matc: nothing written; watching %d file%s\n", files.count, s);
     else if (line->folder)
         fprintf(stderr, "matc: %d files written for %d materials in %ld ms; watching %d file%s\n",
@@ -260,7 +260,7 @@ static int run_watching(CommandLine *line, int argc, char **argv)
         options_free(line);
         if (!read_command_line(line, argc, argv, &fault))
             main_usage(line, fault);
-        else if (check_usage(line) == FINE)
+        else if (check_usage(line) == EXIT_OK)
             run_and_tell(line, watch);
     }
     watch_close(watch);
@@ -279,7 +279,7 @@ int main(int argc, char **argv)
     CommandLine line;
     BatchResult result;
     const char *fault;
-    int status = FINE;
+    int status = EXIT_OK;
     output_hold_streams();
     arena_keep_pages();
     if (!read_command_line(&line, argc, argv, &fault)) {
@@ -306,11 +306,11 @@ int main(int argc, char **argv)
                         options_fault_explain(&line.words, line.explain));
     else if (line.cache_stats)
         status = print_cache(&line);
-    else if ((status = check_usage(&line)) == FINE)
+    else if ((status = check_usage(&line)) == EXIT_OK)
         status = line.watch ? run_watching(&line, argc, argv) : run(&line, &result);
     options_free(&line);
     /* otherwise the failure may have been reported */
-    if ((fflush(stdout) || ferror(stdout)) && status == FINE)
+    if ((fflush(stdout) || ferror(stdout)) && status == EXIT_OK)
         status = main_complain(&line, "standard output", text_error(errno));
     return status < BY_SIGNAL && status & USAGE ? USAGE : status;
 }

@@ -5,8 +5,8 @@
 #include "compiler/tool/options.h"
 
 enum {
-    FINE = 0,
-    FAULT = 1,
+    EXIT_OK = 0,
+    EXIT_ERROR = 1,
     USAGE = 2,
     BY_SIGNAL = 128 /* plus the signal's number */
 };

@@ -22,7 +22,7 @@ static int say(const CommandLine *line, const char *path, char *text, const char
         return main_complain(line, path, otherwise);
     fputs(text, stdout);
     free(text);
-    return FINE;
+    return EXIT_OK;
 }
 
 /* True if a name is in matc's own tables. */
@@ -57,7 +57,7 @@ int main_definitions(CommandLine *line, const char *path)
         return main_complain(line, path, why);
     MatcDocument *document = matc_read(file_document_name(path), text, size, &line->compile);
     free(text);
-    int status = FAULT;
+    int status = EXIT_ERROR;
     if (matc_error_count(document) && line->explain && main_is_own(line->explain))
         status = say(line, path, matc_explain(line->explain), "");
     else if (matc_error_count(document))

@@ -67,9 +67,9 @@ int main_choose(const CommandLine *line, const MatcDocument *document, int mater
     ParetoChoice answer;
     *options = line->compile;
     if (!line->max_error)
-        return FINE;
+        return EXIT_OK;
     if (is_refused(line, document, material))
-        return FAULT;
+        return EXIT_ERROR;
     Shown shown = {0};
     ParetoSubject subject = subject_of(line, document, material, &shown);
     bool chosen = pareto_choose(&subject, line->max_error, options, &answer);
@@ -79,14 +79,14 @@ int main_choose(const CommandLine *line, const MatcDocument *document, int mater
     if (line->stats)
         fputs(answer.text, stderr);
     free(answer.text);
-    return FINE;
+    return EXIT_OK;
 }
 
 static int print_pareto(const CommandLine *line, const MatcDocument *document, int material)
 {
     ParetoChoice answer;
     if (is_refused(line, document, material))
-        return FAULT;
+        return EXIT_ERROR;
     Shown shown = {0};
     ParetoSubject subject = subject_of(line, document, material, &shown);
     bool measured = pareto_measure(&subject, &line->compile, &answer);
@@ -95,7 +95,7 @@ static int print_pareto(const CommandLine *line, const MatcDocument *document, i
         return main_complain(line, "--pareto", answer.error);
     fputs(answer.text, stdout);
     free(answer.text);
-    return FINE;
+    return EXIT_OK;
 }
 
 /* Compiles a material, and writes it if it has no fault. */
@@ -103,14 +103,14 @@ static int compile_material(const CommandLine *line, MatcDocument *document, int
 {
     MatcOptions options;
     char path[SINGLE_PATH];
-    if (main_choose(line, document, material, &options) != FINE)
-        return FAULT;
+    if (main_choose(line, document, material, &options) != EXIT_OK)
+        return EXIT_ERROR;
     MatcProgram *program = matc_compile(document, material, wanted_outputs(line), &options);
     fputs(matc_program_diagnostics(program, line->diagnostics), stderr);
-    int status = matc_ok(program) ? FINE : FAULT;
-    if (status == FINE && line->stats)
+    int status = matc_ok(program) ? EXIT_OK : EXIT_ERROR;
+    if (status == EXIT_OK && line->stats)
         fputs(matc_output(program, MATC_STATS, NULL), stderr);
-    const char *why = status == FINE ? single_write(line, document, program, path) : NULL;
+    const char *why = status == EXIT_OK ? single_write(line, document, program, path) : NULL;
     if (why)
         status = main_complain(line, path, why);
     matc_program_free(program);
@@ -125,7 +125,7 @@ static int eval_material(const CommandLine *line, const MatcDocument *document, 
         return main_usage(line, fault);
     fputs(values, stdout);
     free(values);
-    return FINE;
+    return EXIT_OK;
 }
 
 static void complain_of_several(const CommandLine *line, const MatcDocument *document)
@@ -173,11 +173,11 @@ static int run_document(const CommandLine *line, MatcDocument *document)
 {
     if (!matc_material_count(document))
         return matc_error_count(document)
-                   ? FAULT
+                   ? EXIT_ERROR
                    : main_complain(line, NULL, "the document has no material to compile");
     int material = choose_material(line, document);
     if (material < 0)
-        return FAULT;
+        return EXIT_ERROR;
     if (line->pareto)
         return print_pareto(line, document, material);
     return line->eval ? eval_material(line, document, material)
@@ -188,7 +188,7 @@ static int write_tree(const CommandLine *line, MatcDocument *document)
 {
     char path[SINGLE_PATH];
     const char *why = single_write(line, document, NULL, path);
-    return why ? main_complain(line, path, why) : FINE;
+    return why ? main_complain(line, path, why) : EXIT_OK;
 }
 
 /* Returns the command line's options with advice turned on, which is off in the library and in
@@ -221,7 +221,7 @@ int main_document(const CommandLine *line, const char *path)
     for (int i = 0; line->watched && i < matc_depend_count(document); i++)
         watch_list_add(line->watched, matc_depend(document, i));
     bool tree_only = line->emit[EMIT_tree] && !line->folder && !line->depend && !line->textures;
-    int status = FAULT;
+    int status = EXIT_ERROR;
     if (!tree_only)
         status = run_document(line, document);
     else if (!matc_error_count(document))

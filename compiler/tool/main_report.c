@@ -16,7 +16,7 @@ void main_complaint(const CommandLine *line, Severity severity, const char *what
 int main_complain(const CommandLine *line, const char *what, const char *why)
 {
     main_complaint(line, SEVERITY_error, what, why);
-    return FAULT;
+    return EXIT_ERROR;
 }
 
 void main_fault(const CommandLine *line, const char *fault)

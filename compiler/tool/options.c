@@ -210,7 +210,7 @@ static const Option options[] = {
     TEXT("-d", folder, " DIR",
          "write NAME.frag and so on there, for all materials of all documents, each program "
          "once,\nand manifest.json, which says what uses which; several passes may be named"),
-    {"-j", OPTION_int, AT(threads), .min = 1, .max = MOST_THREADS, .clamped = true,
+    {"-j", OPTION_int, AT(threads), .min = 1, .max = MAX_THREADS, .clamped = true,
      .wants = "-j wants a number of threads, from 1 on", .label = " N",
      .help = "by so many threads; all processors without it"},
     HEADING("  @FILE                documents named in a file, one a line; a line that begins "
@@ -350,7 +350,7 @@ static const char *read_passes(CommandLine *line)
         for (int i = 0; i < line->pass_count; i++)
             if (!strcmp(line->passes[i], at))
                 return "--pass names a pass twice";
-        if (line->pass_count == MOST_PASSES)
+        if (line->pass_count == MAX_PASSES)
             return "--pass names too many passes";
         line->passes[line->pass_count++] = at;
     }

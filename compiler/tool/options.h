@@ -5,7 +5,7 @@
 #include "compiler/matc.h"
 #include "runtime/gl/context.h"
 
-enum { MOST_PASSES = 8 };
+enum { MAX_PASSES = 8 };
 #define OPTIONS_SCHEMA    "document" /* default of --schema */
 #define OPTIONS_CASES_ALL "all" /* --cases: the unpacking text reads every case of the layout */
 
@@ -44,11 +44,11 @@ typedef struct {
     const char **lists; /* files with lists of inputs, "@list.txt" */
     char **list_texts;  /* buffers of the inputs from lists */
     int list_count;
-    const char *cache;               /* --cache, or MATC_CACHE */
-    bool cache_named;                /* given by --cache */
-    int cache_limit;                 /* --cache-limit, in MiB; 0: the default */
-    bool cache_stats;                /* --cache-stats */
-    const char *passes[MOST_PASSES]; /* --pass, a list with -d */
+    const char *cache;              /* --cache, or MATC_CACHE */
+    bool cache_named;               /* given by --cache */
+    int cache_limit;                /* --cache-limit, in MiB; 0: the default */
+    bool cache_stats;               /* --cache-stats */
+    const char *passes[MAX_PASSES]; /* --pass, a list with -d */
     int pass_count;
     char *pass_list;         /* buffer of the passes */
     int threads;             /* -j; 0: the number of processors */

@@ -176,8 +176,8 @@ void unit_add_files(Unit *unit, Key members, Key files)
     if (known && key_equal(*known, files))
         return;
     if (!unit->files)
-        unit->files = sets_resize(NULL, MOST_UNIT_FILES * sizeof *unit->files);
-    if (unit->file_count == MOST_UNIT_FILES) /* drops the oldest */
+        unit->files = sets_resize(NULL, MAX_UNIT_FILES * sizeof *unit->files);
+    if (unit->file_count == MAX_UNIT_FILES) /* drops the oldest */
         unit->file_count--;
     memmove(unit->files + 1, unit->files, (size_t)unit->file_count++ * sizeof *unit->files);
     unit->files[0] = (UnitFiles){members, files};
@@ -215,7 +215,7 @@ bool unit_load(BytesReader *from, Unit *unit)
     for (size_t i = 0; !from->broken && i < count; i++)
         wanted += (size_t)(components[i] > UNIT_WORDS ? components[i] - UNIT_WORDS : components[i]);
     if (from->broken || pass >= PASS_COUNT || numbered > LIMIT_LAYOUT_CASES ||
-        size != wanted * sizeof *unit->bits || files_size > MOST_UNIT_FILES * sizeof *unit->files ||
+        size != wanted * sizeof *unit->bits || files_size > MAX_UNIT_FILES * sizeof *unit->files ||
         files_size % sizeof *unit->files)
         return false;
     memcpy(&unit->key, key, sizeof unit->key);
@@ -229,7 +229,7 @@ bool unit_load(BytesReader *from, Unit *unit)
     unit->own = sets_copy(own);
     unit->file_count = (int)(files_size / sizeof *unit->files);
     if (files_size) {
-        unit->files = sets_resize(NULL, MOST_UNIT_FILES * sizeof *unit->files);
+        unit->files = sets_resize(NULL, MAX_UNIT_FILES * sizeof *unit->files);
         memcpy(unit->files, files, files_size);
     }
     return true;

@@ -19,7 +19,7 @@ typedef struct {
     Key members, files;
 } UnitFiles;
 
-enum { UNIT_WORDS = 4, MOST_UNIT_FILES = 4 /* max cached programs, newest first */ };
+enum { UNIT_WORDS = 4, MAX_UNIT_FILES = 4 /* max cached programs, newest first */ };
 
 typedef struct Unit {
     Key key, shape;      /* keys of the program: matc_key and matc_shape */

@@ -91,7 +91,7 @@ static void read_settings(Material *material, const Program *program, const cJSO
     const cJSON *item, *number;
     cJSON_ArrayForEach(item, cJSON_GetObjectItem(use, "textures"))
     {
-        if (material->texture_count == MOST_TEXTURES)
+        if (material->texture_count == MAX_TEXTURES)
             fail(material->name, "too many textures");
         material->textures[material->texture_count++] =
             (Setting){.name = item->string,
@@ -100,7 +100,7 @@ static void read_settings(Material *material, const Program *program, const cJSO
     }
     cJSON_ArrayForEach(item, cJSON_GetObjectItem(use, "uniforms"))
     {
-        if (material->uniform_count == MOST_UNIFORMS)
+        if (material->uniform_count == MAX_UNIFORMS)
             fail(material->name, "too many uniforms");
         Setting *setting = &material->uniforms[material->uniform_count++];
         setting->name = item->string;
@@ -146,7 +146,7 @@ Manifest manifest_read(const char *path)
                          .unpack = file_of(path, layout, "unpack")};
     manifest.bytes = (int)cJSON_GetNumberValue(cJSON_GetObjectItem(layout, "bytes"));
     cJSON_ArrayForEach(item, cJSON_GetObjectItem(layout, "targets")) if (manifest.target_count <
-                                                                         MOST_TARGETS)
+                                                                         MAX_TARGETS)
         manifest.targets[manifest.target_count++] = item->valuestring;
     manifest.programs = calloc((size_t)cJSON_GetArraySize(programs), sizeof *manifest.programs);
     manifest.materials = calloc((size_t)cJSON_GetArraySize(materials), sizeof *manifest.materials);

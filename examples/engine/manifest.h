@@ -2,7 +2,7 @@
 #ifndef ENGINE_MANIFEST_H
 #define ENGINE_MANIFEST_H
 
-enum { MOST_TEXTURES = 8, MOST_UNIFORMS = 8, MOST_TARGETS = 8 };
+enum { MAX_TEXTURES = 8, MAX_UNIFORMS = 8, MAX_TARGETS = 8 };
 
 /* What a program's reflection says of a picture and its sampler. */
 typedef struct {
@@ -30,15 +30,15 @@ typedef struct {
     int program;
     unsigned char *block; /* std140, block_bytes of its program; NULL */
     int texture_count, uniform_count;
-    Setting textures[MOST_TEXTURES], uniforms[MOST_UNIFORMS];
+    Setting textures[MAX_TEXTURES], uniforms[MAX_UNIFORMS];
 } Material;
 
 typedef struct {
     const char *layout;
     int bytes; /* a pixel, of the G-buffer */
     int target_count;
-    const char *targets[MOST_TARGETS]; /* "RGBA32UI", ... */
-    char *unpack;                      /* GLSL that reads them */
+    const char *targets[MAX_TARGETS]; /* "RGBA32UI", ... */
+    char *unpack;                     /* GLSL that reads them */
     int program_count, material_count;
     Program *programs;
     Material *materials;

@@ -18,12 +18,12 @@ static const float SPACING = 2.3f; /* between the middles of spheres of radius 1
 
 typedef struct {
     const Manifest *manifest;
-    GLuint *programs;                  /* of GL, by program of the manifest */
-    GLintptr *ranges;                  /* of the uniform buffer, by material */
-    GLuint (*textures)[MOST_TEXTURES]; /* by material */
-    GLuint (*samplers)[MOST_TEXTURES];
+    GLuint *programs;                 /* of GL, by program of the manifest */
+    GLintptr *ranges;                 /* of the uniform buffer, by material */
+    GLuint (*textures)[MAX_TEXTURES]; /* by material */
+    GLuint (*samplers)[MAX_TEXTURES];
     GLuint constants, sphere; /* a buffer, a vertex array */
-    GLuint targets[MOST_TARGETS], depth;
+    GLuint targets[MAX_TARGETS], depth;
     int width, height; /* of the frame, with its samples */
 } Scene;
 
@@ -153,7 +153,7 @@ static void make_sphere(Scene *s)
 static void use_framebuffer(const GLuint *textures, int count, GLuint depth)
 {
     GLuint name;
-    GLenum buffers[MOST_TARGETS];
+    GLenum buffers[MAX_TARGETS];
     gl.GenFramebuffers(1, &name);
     gl.BindFramebuffer(GL_FRAMEBUFFER, name);
     for (int i = 0; i < count; i++) {

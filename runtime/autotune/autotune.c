@@ -8,7 +8,7 @@
 
 const double measure_range = 4;
 
-enum { LEAST_ROUNDS = 5, SOFTWARE_SIDE = 512, HARDWARE_SIDE = 2048 };
+enum { MIN_ROUNDS = 5, SOFTWARE_SIDE = 512, HARDWARE_SIDE = 2048 };
 
 typedef struct {
     Errors errors;
@@ -68,7 +68,7 @@ static int find_rounds(Work *w, const MeterDraw *draws, int count)
     meter_time(w->meter, draws, count, 1, scratch);
     double once = meter_now() - start, left = w->request->seconds - (start - w->start) - once;
     free(scratch);
-    return (int)clamp(left / fmax(once, 1e-3) - 2, LEAST_ROUNDS, MEASURE_ROUNDS);
+    return (int)clamp(left / fmax(once, 1e-3) - 2, MIN_ROUNDS, MEASURE_ROUNDS);
 }
 
 static bool measure_times(Work *w, MeasuredList *list)

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <time.h>
 
-enum { MOST_REPEATS = 1 << 14 };
+enum { MAX_REPEATS = 1 << 14 };
 /* min sample length in seconds, large compared with the overhead of clock and queue */
 static const double least_sample = 2.5e-3;
 
@@ -63,7 +63,7 @@ static int find_repeats(Meter *m, const MeterDraw *draw)
 {
     int repeats = 1;
     time_once(m, draw, 1);
-    while (repeats < MOST_REPEATS && time_once(m, draw, repeats) < least_sample)
+    while (repeats < MAX_REPEATS && time_once(m, draw, repeats) < least_sample)
         repeats *= 2;
     return repeats;
 }

@@ -12,7 +12,7 @@ static const DisplacedMethod *const methods[] = {
     &displaced_feedback, &displaced_bisection,    &displaced_by_tracing, &displaced_by_parallax};
 
 /* Returns the displacement method of a keyword; `auto` selects the grid. */
-static const DisplacedMethod *method_of(Word word)
+static const DisplacedMethod *method_of(Keyword word)
 {
     for (size_t i = 0; i < sizeof methods / sizeof *methods; i++)
         if (methods[i]->word == word)
@@ -20,7 +20,7 @@ static const DisplacedMethod *method_of(Word word)
     return &displaced_grid;
 }
 
-bool displaced_there(const GlContext *gl, Word method)
+bool displaced_there(const GlContext *gl, Keyword method)
 {
     GLint vertex = 0, bindings = 0;
     if (gl->major * 10 + gl->minor < 45 || !gl->BindBufferBase || !gl->BindBufferRange ||

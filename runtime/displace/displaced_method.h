@@ -16,7 +16,7 @@ typedef struct {
 } DisplacedMaking;
 
 typedef struct DisplacedMethod {
-    Word word;    /* keyword of the list Displacing */
+    Keyword word; /* keyword of the list Displacing */
     bool by_view; /* triangles depend on the camera, whatever the key `pixels` says */
     /* The driver supports the method, in addition to displaced_there()'s requirements. NULL:
      * always. */

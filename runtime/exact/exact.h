@@ -14,7 +14,7 @@ typedef struct {
 
 static inline ExactShadows *exact_state(const Renderer *renderer)
 {
-    return shadow_method_state(renderer, WORD_Shadows_exact);
+    return shadow_method_state(renderer, KEYWORD_Shadows_exact);
 }
 /* Return whether some light has exact shadows, and the view shows lighting; and additionally,
  * whether some object has triangles for exact shadows. */

@@ -12,7 +12,7 @@ enum {
     LISTS_BINDING,
     GROUP = 64,
     CELL_GROUP = 256,
-    GROUPS_MOST = 65535,
+    GROUPS_MAX = 65535,
     ROW_GROUPS = 512,
     FIRST_BLOCKS = 1 << 12
 };
@@ -82,7 +82,7 @@ static void bind(const Maker *m)
 /* Dispatches `groups` workgroups, or the maximum: each workgroup then loops over further ones. */
 static void dispatch(const Maker *m, size_t groups, int lights)
 {
-    m->gl->DispatchCompute(groups < GROUPS_MOST ? (GLuint)groups : GROUPS_MOST, (GLuint)lights, 1);
+    m->gl->DispatchCompute(groups < GROUPS_MAX ? (GLuint)groups : GROUPS_MAX, (GLuint)lights, 1);
     m->gl->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
 }
 
@@ -181,9 +181,9 @@ static Outcome try(Maker *m, const Scene *scene, int coarser)
     exact_lists_free(&m->heads);
     if (!exact_lists_make(scene, m->triangles, coarser, &m->heads))
         return gl_fail(context(m->cover), "out of memory"), FAILED;
-    if (m->heads.light_count > EXACT_LISTS_LIGHTS_MOST)
+    if (m->heads.light_count > EXACT_LISTS_LIGHTS_MAX)
         return gl_fail(context(m->cover), "%d lights have exact shadows, and %d may",
-                       m->heads.light_count, EXACT_LISTS_LIGHTS_MOST),
+                       m->heads.light_count, EXACT_LISTS_LIGHTS_MAX),
                FAILED;
     while (outcome == AGAIN)
         outcome = count(m);

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { FACES = 6, SIZE_LEAST = 8, SIZE_MOST = SIZE_LEAST << 7 };
+enum { FACES = 6, MIN_CELLS_SIDE = 8, MAX_CELLS_SIDE = MIN_CELLS_SIDE << 7 };
 
 typedef struct {
     bool placed;
@@ -85,8 +85,8 @@ static View view_of(const ExactTriangles *triangles, const SceneLight *light)
 static int size_for(const ExactTriangles *triangles, const View *view, int coarser)
 {
     const double wanted = (view->placed ? 4.0 : 1.0) * triangles->count;
-    int size = SIZE_LEAST;
-    while (size < SIZE_MOST && (double)size * size * view->faces < wanted)
+    int size = MIN_CELLS_SIDE;
+    while (size < MAX_CELLS_SIDE && (double)size * size * view->faces < wanted)
         size *= 2;
     return size >> coarser > 1 ? size >> coarser : 1;
 }
@@ -131,4 +131,4 @@ void exact_lists_free(ExactLists *lists)
     *lists = (ExactLists){.cells = 0};
 }
 
-bool exact_lists_wanted(const SceneLight *light) { return light->shadows == WORD_Shadows_exact; }
+bool exact_lists_wanted(const SceneLight *light) { return light->shadows == KEYWORD_Shadows_exact; }

@@ -13,7 +13,7 @@ enum {
     EXACT_LISTS_PAIR = 2, /* words of a cell's entry */
     /* number of times that cells can be doubled in width, until one is left */
     EXACT_LISTS_COARSEST = 10,
-    EXACT_LISTS_LIGHTS_MOST = 65535 /* maximum number of lights with headers */
+    EXACT_LISTS_LIGHTS_MAX = 65535 /* maximum number of lights with headers */
 };
 
 typedef struct {

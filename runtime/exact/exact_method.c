@@ -97,7 +97,7 @@ static const SeenText seen = {.fragment = render_text_exact_triangle_id, .places
 
 extern const ShadowMethod shadow_exact;
 const ShadowMethod shadow_exact = {
-    .word = WORD_Shadows_exact,
+    .word = KEYWORD_Shadows_exact,
     .state = sizeof(ExactShadows),
     .triangles = true,
     .beside = true,

@@ -90,7 +90,8 @@ bool pass_exact_list(Renderer *renderer)
 
 bool pass_exact_wanted(const Renderer *renderer)
 {
-    return shadow_method_lights(renderer, WORD_Shadows_exact) > 0 && shadow_shows_light(renderer);
+    return shadow_method_lights(renderer, KEYWORD_Shadows_exact) > 0 &&
+           shadow_shows_light(renderer);
 }
 
 bool pass_exact_needed(const Renderer *renderer)

@@ -20,7 +20,7 @@ typedef struct {
 /* The properties of a light that decide on programs, maps and targets: a change rebuilds them. */
 typedef struct {
     SceneKind kind;
-    Word shadows;
+    Keyword shadows;
     bool both_sides;
 } RendererLight;
 

@@ -73,7 +73,7 @@ static void place(const FramePlanRequest *r, FramePlan *plan, int target, const 
 
 void frame_plan(const FramePlanRequest *r, FramePlan *plan)
 {
-    int lives[FRAME_PLAN_MOST][2];
+    int lives[FRAME_PLAN_MAX][2];
     Holder holders[FRAME_PLAN_PIECES];
     *plan = (FramePlan){.runs = find_runs(r)};
     memset(plan->memory, -1, sizeof plan->memory);

@@ -12,9 +12,9 @@
 #include <stdbool.h>
 
 enum {
-    FRAME_PLAN_MOST = 32, /* max passes, and max targets */
+    FRAME_PLAN_MAX = 32, /* max passes, and max targets */
     FRAME_PLAN_TEXTURES = 8,
-    FRAME_PLAN_PIECES = FRAME_PLAN_MOST * FRAME_PLAN_TEXTURES /* max pieces of memory */
+    FRAME_PLAN_PIECES = FRAME_PLAN_MAX * FRAME_PLAN_TEXTURES /* max pieces of memory */
 };
 
 /* A pass's inputs and outputs as sets of targets, one bit per target. */
@@ -43,8 +43,8 @@ typedef struct {
 
 /* A request with storage for its rows. */
 typedef struct {
-    FramePlanPass passes[FRAME_PLAN_MOST];
-    FramePlanTarget targets[FRAME_PLAN_MOST];
+    FramePlanPass passes[FRAME_PLAN_MAX];
+    FramePlanTarget targets[FRAME_PLAN_MAX];
     FramePlanRequest request;
 } FramePlanRows;
 
@@ -52,7 +52,7 @@ typedef struct {
     unsigned runs;  /* set of passes that run */
     unsigned there; /* set of targets that exist */
     /* Piece of memory of each target's textures; -1 if the texture is missing. */
-    int memory[FRAME_PLAN_MOST][FRAME_PLAN_TEXTURES];
+    int memory[FRAME_PLAN_MAX][FRAME_PLAN_TEXTURES];
     int memory_class[FRAME_PLAN_PIECES]; /* class of each piece */
     int memory_count;
 } FramePlan;

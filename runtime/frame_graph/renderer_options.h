@@ -12,8 +12,8 @@ typedef enum { RENDERER_EDGES_none, RENDERER_EDGES_coverage } RendererEdges;
 
 enum {
     RENDERER_MEMORY = 256 << 20,
-    RENDERER_TILE_LEAST = 16, /* min rows of a tile, however small the memory */
-    RENDERER_SAMPLES_MOST = 8
+    RENDERER_TILE_MIN = 16, /* min rows of a tile, however small the memory */
+    RENDERER_SAMPLES_MAX = 8
 };
 
 typedef struct {

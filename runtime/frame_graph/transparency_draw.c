@@ -5,7 +5,7 @@
 #include <string.h>
 
 /* Max bytes of a buffer of fragments, unless the driver's limit is lower. */
-enum { LISTS_MOST = 1 << 30 };
+enum { LISTS_MAX = 1 << 30 };
 
 static bool is_there(const GpuScene *gpu_scene)
 {
@@ -73,7 +73,7 @@ Transparency transparency_first(const Renderer *renderer)
 size_t transparency_most_bytes(const Renderer *renderer)
 {
     GLint most = 0;
-    const size_t wanted = renderer->options.list_bytes ? renderer->options.list_bytes : LISTS_MOST;
+    const size_t wanted = renderer->options.list_bytes ? renderer->options.list_bytes : LISTS_MAX;
     renderer->gl->GetIntegerv(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &most);
     return (size_t)most < wanted ? (size_t)most : wanted;
 }

@@ -44,19 +44,19 @@ static void find_box(const GpuSceneSource *source, const GpuScene *gpu_scene, do
     }
 }
 
-enum { GROUNDS_MOST = 8 };
+enum { GROUNDS_MAX = 8 };
 
 /* Returns the equations of the scene's planes. False if there are too many. */
 static bool find_grounds(const GpuSceneSource *source, const GpuScene *gpu_scene,
-                         double grounds[GROUNDS_MOST][4])
+                         double grounds[GROUNDS_MAX][4])
 {
-    for (int i = 0; i < gpu_scene->plane_count && i < GROUNDS_MOST; i++) {
+    for (int i = 0; i < gpu_scene->plane_count && i < GROUNDS_MAX; i++) {
         const double *m = source->scene->objects[gpu_scene->planes[i].object].world_from_local.m;
         vec3_cross(m, m + 4, grounds[i]);
         vec3_normalize(grounds[i]);
         grounds[i][3] = -vec3_dot(grounds[i], m + 12);
     }
-    return gpu_scene->plane_count <= GROUNDS_MOST;
+    return gpu_scene->plane_count <= GROUNDS_MAX;
 }
 
 /* Displaces a mesh on the GPU for the view, unless it is up to date. */
@@ -137,7 +137,7 @@ bool gpu_scene_mesh_view(GlContext *gl, const GpuSceneSource *source, GpuScene *
 {
     DisplacedView view = {
         source->scene, {source->size[0], source->size[1]}, {0}, {0}, {.count = 0}};
-    double grounds[GROUNDS_MOST][4];
+    double grounds[GROUNDS_MAX][4];
     bool fine = true;
     if (gpu_scene_mesh_by_lights(gpu_scene) && !gpu_scene->plane_count) /* a plane is infinite */
         find_box(source, gpu_scene, view.low, view.high);

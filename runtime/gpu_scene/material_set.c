@@ -58,7 +58,7 @@ const LayoutRow *material_set_layout(const MaterialSet *set, const MatcOptions *
     return &layout_table[LAYOUT_compact]; /* the default layout of programs in GLSL 3.30 and 4.50 */
 }
 
-enum { MOST_MEMBERS = 1024 /* vec4 members of a buffer: every driver allows 16 KiB */ };
+enum { MAX_MEMBERS = 1024 /* vec4 members of a buffer: every driver allows 16 KiB */ };
 
 typedef struct {
     GlContext *gl;
@@ -382,7 +382,7 @@ static bool write_text(Maker *m, int first)
     const int count = matc_place_count(set->programs[first].program);
     int *members = malloc((size_t)count * sizeof *members + 1);
     int found = members ? find_members(set, first, members, count) : -1;
-    if (found > MOST_MEMBERS) { /* too many: only programs with equal constants share */
+    if (found > MAX_MEMBERS) { /* too many: only programs with equal constants share */
         part(m, first, true);
         found = 0;
     }

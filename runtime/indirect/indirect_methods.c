@@ -31,11 +31,12 @@ static bool is_possible(const Renderer *renderer, const IndirectMethod *method)
 
 void indirect_methods_select(Renderer *renderer)
 {
-    const Word word = renderer->scene->indirect.method;
+    const Keyword word = renderer->scene->indirect.method;
     const IndirectMethod *found = NULL;
     for (int i = 0; i < METHODS && !found; i++)
-        if (word == WORD_Indirect_auto ? methods[i]->automatic && is_possible(renderer, methods[i])
-                                       : methods[i]->word == word)
+        if (word == KEYWORD_Indirect_auto
+                ? methods[i]->automatic && is_possible(renderer, methods[i])
+                : methods[i]->word == word)
             found = methods[i];
     renderer->indirect->method = found;
 }
@@ -45,8 +46,8 @@ void indirect_methods_put(Text *out, const Renderer *renderer)
     const IndirectMethod *method = indirect_method(renderer);
     const int planes = indirect_planes_count(renderer),
               opaque = renderer->gpu_scene.opaque_plane_count;
-    text_format(out, "indirect  by the method %s", word_table[method->word].name);
-    if (renderer->scene->indirect.method == WORD_Indirect_auto)
+    text_format(out, "indirect  by the method %s", keyword_table[method->word].name);
+    if (renderer->scene->indirect.method == KEYWORD_Indirect_auto)
         text_format(out, ", as %s",
                     method->reads & INDIRECT_READS_voxels  ? "the scene has objects"
                     : transparency_has_lists(renderer->gl) ? "the scene has no objects for voxels"

@@ -8,7 +8,7 @@
 #include <math.h>
 
 /* Max guard band in pixels; a picture that needs more is not tiled. */
-enum { MARGIN_MOST = 192, AT_ONCE = -1 };
+enum { MARGIN_MAX = 192, AT_ONCE = -1 };
 
 /* Max length of a ray in screen space, or whose hit takes light from the screen; in world units. */
 static double reach_of(const Renderer *renderer)
@@ -68,5 +68,5 @@ int indirect_margin(const Renderer *renderer)
     const double reach = reach_of(renderer),
                  pixels = is_whole(renderer) ? INFINITY : pixels_of(renderer, reach);
     const double margin = ceil(pixels + (reach > 0 ? off : 0)) + pass_smooth_reach(renderer);
-    return margin <= MARGIN_MOST ? (int)margin : AT_ONCE;
+    return margin <= MARGIN_MAX ? (int)margin : AT_ONCE;
 }

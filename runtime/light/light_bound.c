@@ -48,8 +48,8 @@
 #include <string.h>
 
 enum {
-    LEAST_HARDWARE = 128, /* min number of lights at which clustering is faster */
-    LEAST_SOFTWARE = 256,
+    MIN_HARDWARE = 128, /* min number of lights at which clustering is faster */
+    MIN_SOFTWARE = 256,
     MOST = 4096,        /* bits that fit into shared memory of a work group */
     BINDINGS = 6,       /* needed bindings of storage buffers: up to point 5 */
     STORAGE_BLOCKS = 3, /* per program: two, and lists of transparent shadow casters */
@@ -150,7 +150,7 @@ static const char *find_lack(const Renderer *renderer, int count)
 const char *light_far_lacks(const Renderer *renderer)
 {
     const int count = count_lights(renderer->scene),
-              least = renderer->gl->hardware ? LEAST_HARDWARE : LEAST_SOFTWARE;
+              least = renderer->gl->hardware ? MIN_HARDWARE : MIN_SOFTWARE;
     const char *lack = find_lack(renderer, count);
     if (lack || is_way(&renderer->options, "bounded"))
         return lack;

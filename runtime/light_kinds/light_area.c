@@ -34,7 +34,7 @@ static void light_area_outline(const SceneLight *light, LightLines *lines)
 
 SceneLight light_area_new(void)
 {
-    return (SceneLight){.kind = SCENE_Area, .shadows = WORD_Shadows_none};
+    return (SceneLight){.kind = SCENE_Area, .shadows = KEYWORD_Shadows_none};
 }
 
 const LightKind light_area = {.kind = SCENE_Area,

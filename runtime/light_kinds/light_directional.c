@@ -22,7 +22,7 @@ static void light_directional_outline(const SceneLight *light, LightLines *lines
 
 SceneLight light_directional_new(const double direction[3], const double light[3])
 {
-    SceneLight made = {.kind = SCENE_Directional, .shadows = WORD_Shadows_none};
+    SceneLight made = {.kind = SCENE_Directional, .shadows = KEYWORD_Shadows_none};
     memcpy(made.direction, direction, sizeof made.direction);
     memcpy(made.light, light, sizeof made.light);
     return made;

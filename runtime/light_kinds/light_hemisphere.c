@@ -15,7 +15,7 @@ static bool light_hemisphere_read(const LightParams *params, SceneLight *light, 
 SceneLight light_hemisphere_new(const double light[3], const double ground[3])
 {
     SceneLight made = {
-        .kind = SCENE_Hemisphere, .direction = {0, 0, -1}, .shadows = WORD_Shadows_none};
+        .kind = SCENE_Hemisphere, .direction = {0, 0, -1}, .shadows = KEYWORD_Shadows_none};
     memcpy(made.light, light, sizeof made.light);
     memcpy(made.ground, ground, sizeof made.ground);
     return made;

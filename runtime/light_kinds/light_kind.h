@@ -19,8 +19,8 @@ typedef struct {
     double edges[2][3];                /* edge vectors of an area light */
     bool both_sides;                   /* an area light also emits to the back */
     const char *name;                  /* NULL: unnamed */
-    /* The shadow technique of its light: WORD_Shadows_none, ... */
-    Word shadows;
+    /* The shadow technique of its light: KEYWORD_Shadows_none, ... */
+    Keyword shadows;
 } SceneLight;
 
 /* Origin of the light, which determines its shadow views: a point has those of a cube or a cone,

@@ -21,7 +21,7 @@ typedef enum {
     UNSIGNED_INT = 5125,
     FLOAT
 } Component;
-enum { COMPONENTS = 4, MOST_STRIDE = 252, PLACE = 96 };
+enum { COMPONENTS = 4, MAX_STRIDE = 252, PLACE = 96 };
 
 typedef struct {
     GltfPlace place;
@@ -86,7 +86,7 @@ static const char *find_bytes(const Reader *r, const Tree *accessor, size_t coun
     const Tree *view = gltf_file_item(r->root, "bufferViews", gltf_file_whole(index, SIZE_MAX));
     const size_t offset = gltf_file_whole(gltf_file_value(accessor, "byteOffset"), 0);
     made->stride = gltf_file_whole(gltf_file_value(view, "byteStride"), size);
-    if (made->stride < size || made->stride > MOST_STRIDE)
+    if (made->stride < size || made->stride > MAX_STRIDE)
         return "its bufferView's byteStride is less than a value, or more than 252";
     if (offset > bytes.size || (count - 1) * made->stride + size > bytes.size - offset)
         return "its accessor ends behind the end of its bufferView";

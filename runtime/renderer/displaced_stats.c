@@ -17,7 +17,7 @@ static void put_grids(Text *out, const Renderer *renderer)
          i++) {
         const ShadowMethod *method = views->views[i].method;
         if (method->meshes)
-            snprintf(meshes, sizeof meshes, "%s shadows", word_table[method->word].name);
+            snprintf(meshes, sizeof meshes, "%s shadows", keyword_table[method->word].name);
         traced_maps |= !method->meshes;
     }
     for (int i = 0; i < renderer->gpu_scene.place_count; i++)
@@ -27,12 +27,12 @@ static void put_grids(Text *out, const Renderer *renderer)
     const struct {
         bool there;
         const char *name;
-    } grids[] = {
-        {renderer->voxels->map != 0, "voxels"},
-        {renderer->targets.plan.there >> FRAME_TARGET_edge & 1, "edges"},
-        {*meshes, meshes},
-        {traced_maps && renderer->scene->displaced_by == WORD_Displacing_parallax, "shadow maps"},
-        {transparent, "what is transparent"}};
+    } grids[] = {{renderer->voxels->map != 0, "voxels"},
+                 {renderer->targets.plan.there >> FRAME_TARGET_edge & 1, "edges"},
+                 {*meshes, meshes},
+                 {traced_maps && renderer->scene->displaced_by == KEYWORD_Displacing_parallax,
+                  "shadow maps"},
+                 {transparent, "what is transparent"}};
     const char *comma = "; not so, but its grid's triangles: ";
     for (size_t i = 0; i < sizeof grids / sizeof *grids; i++)
         if (grids[i].there) {

@@ -125,7 +125,7 @@ static void find_tile(const Renderer *renderer, int margin, int tile[2])
     const int wanted[2] = {whole ? 0 : options->tile[0] * renderer->samples,
                            whole ? 0 : options->tile[1] * renderer->samples};
     const int spare = rows < (size_t)height ? (int)rows - 2 * margin : height;
-    const int fewest = RENDERER_TILE_LEAST * renderer->samples;
+    const int fewest = RENDERER_TILE_MIN * renderer->samples;
     tile[0] = least(width, wanted[0] ? wanted[0] : width);
     tile[1] = least(height, wanted[1] ? wanted[1] : spare < fewest ? fewest : spare);
     for (int i = 0; i < 2; i++) {

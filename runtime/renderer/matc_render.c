@@ -24,13 +24,13 @@ struct MatcRenderer {
 
 #define DEGREE 0.017453292519943295 /* radians */
 enum {
-    MOST_PLACE = 1 << 20, /* maximum offset of a rectangle in a framebuffer */
-    MOST_SIDE = 16384     /* maximum side of a picture, the limit of `image:` in scene.def */
+    MAX_PLACE = 1 << 20, /* maximum offset of a rectangle in a framebuffer */
+    MAX_SIDE = 16384     /* maximum side of a picture, the limit of `image:` in scene.def */
 };
 
 static bool is_size(int width, int height)
 {
-    return width >= 0 && height >= 0 && width <= MOST_SIDE && height <= MOST_SIDE;
+    return width >= 0 && height >= 0 && width <= MAX_SIDE && height <= MAX_SIDE;
 }
 
 /* -- renderers */
@@ -42,7 +42,7 @@ static bool check_options(const MatcRendererOptions *options, char *error, size_
         return message_fail(error, room, "no function that loads is given");
     if (!is_size(options->width, options->height))
         return message_fail(error, room, "a picture has 1 to %d pixels each way, not %d x %d",
-                            MOST_SIDE, options->width, options->height);
+                            MAX_SIDE, options->width, options->height);
     return !fault ||
            message_fail(error, room,
                         "MatcRendererOptions.compile: the option '%s' has no such value", fault);
@@ -247,8 +247,8 @@ bool matc_renderer_set_size(MatcRenderer *r, int width, int height)
     if (!r)
         return false;
     if (!is_size(width, height))
-        return gl_fail(r->gl, "a picture has 1 to %d pixels each way, not %d x %d", MOST_SIDE,
-                       width, height);
+        return gl_fail(r->gl, "a picture has 1 to %d pixels each way, not %d x %d", MAX_SIDE, width,
+                       height);
     return renderer_resize(r->renderer, width, height);
 }
 
@@ -257,11 +257,11 @@ bool matc_renderer_update(MatcRenderer *r)
     return has(r, 0, 1, "scene") && renderer_changed_meshes(r->renderer);
 }
 
-static bool find_method(const char *name, Word *made)
+static bool find_method(const char *name, Keyword *made)
 {
     for (int i = 0; i < WORD_COUNT; i++)
-        if (scene_shadows_name((Word)i) && !strcmp(scene_shadows_name((Word)i), name)) {
-            *made = (Word)i;
+        if (scene_shadows_name((Keyword)i) && !strcmp(scene_shadows_name((Keyword)i), name)) {
+            *made = (Keyword)i;
             return true;
         }
     return false;
@@ -273,8 +273,8 @@ bool matc_renderer_set_shadows(MatcRenderer *r, int light, const char *method)
     if (!has(r, light, light_count(r), "light"))
         return false;
     SceneLight *of = &r->scene->lights[light];
-    const Word before = of->shadows;
-    Word word;
+    const Keyword before = of->shadows;
+    Keyword word;
     if (!method || !find_method(method, &word) || !scene_light_takes(of, word))
         return gl_fail(r->gl, "the light %d cannot have shadows '%s'", light, method ? method : "");
     of->shadows = word;
@@ -319,9 +319,9 @@ unsigned matc_renderer_texture(const MatcRenderer *r)
 
 static bool is_rectangle(const int rectangle[4])
 {
-    return rectangle[2] > 0 && rectangle[3] > 0 && rectangle[0] > -MOST_PLACE &&
-           rectangle[0] < MOST_PLACE && rectangle[1] > -MOST_PLACE && rectangle[1] < MOST_PLACE &&
-           rectangle[2] < MOST_PLACE && rectangle[3] < MOST_PLACE;
+    return rectangle[2] > 0 && rectangle[3] > 0 && rectangle[0] > -MAX_PLACE &&
+           rectangle[0] < MAX_PLACE && rectangle[1] > -MAX_PLACE && rectangle[1] < MAX_PLACE &&
+           rectangle[2] < MAX_PLACE && rectangle[3] < MAX_PLACE;
 }
 
 bool matc_renderer_draw(MatcRenderer *r, unsigned framebuffer, const int rectangle[4])

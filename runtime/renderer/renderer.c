@@ -72,8 +72,8 @@ Renderer *renderer_open(GlContext *gl, const RendererOptions *options)
                NULL;
     if (!transparency_check(gl, options) || !light_far_check(gl, options))
         return NULL;
-    if (options->samples < 0 || options->samples > RENDERER_SAMPLES_MOST)
-        return gl_fail(gl, "samples are 1 to %d, not %d", RENDERER_SAMPLES_MOST, options->samples),
+    if (options->samples < 0 || options->samples > RENDERER_SAMPLES_MAX)
+        return gl_fail(gl, "samples are 1 to %d, not %d", RENDERER_SAMPLES_MAX, options->samples),
                NULL;
     RendererState *state = calloc(1, sizeof *state);
     if (!state)

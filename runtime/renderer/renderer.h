@@ -72,7 +72,7 @@ bool renderer_read_map(Renderer *renderer, int map, float *depths);
 
 /* Selects a variant of a shadow technique; both are keywords. Returns the variant's name; NULL
  * if it is unknown. */
-const char *renderer_shadows_vary(Scene *scene, Word method, Word variant);
+const char *renderer_shadows_vary(Scene *scene, Keyword method, Keyword variant);
 
 /* Reports whether the view is a slot that the scene's layout does not store, and that reads as
  * 0. */
@@ -87,10 +87,10 @@ typedef struct {
     const char *name;
     double seconds;
 } RendererPassTime;
-enum { RENDERER_PASSES_MOST = 32 };
+enum { RENDERER_PASSES_MAX = 32 };
 /* Measures all passes in the order of a frame; shadow maps are drawn again. Returns the number
  * of passes. */
-int renderer_time_passes(Renderer *renderer, RendererPassTime times[RENDERER_PASSES_MOST]);
+int renderer_time_passes(Renderer *renderer, RendererPassTime times[RENDERER_PASSES_MAX]);
 /* Bytes of a pixel in all targets, and of a fragment in a linked list; 0 without lists. */
 int renderer_pixel_bytes(const Renderer *renderer);
 int renderer_fragment_bytes(const Renderer *renderer);

@@ -160,7 +160,7 @@ static void put_unshadowed(Text *out, const Renderer *renderer)
             shadow_method_lights(renderer, (*row)->word) &&
             renderer->set.uses.casts != SET_CASTS_colored && is_transparent(renderer))
             text_format(out, "shadow    what is transparent casts none in %s light%s\n",
-                        word_table[(*row)->word].name,
+                        keyword_table[(*row)->word].name,
                         renderer->scene->shadow_colored ? ": it takes OpenGL 4.3"
                                                         : ", as shadows are not colored");
     if (renderer->gpu_scene.caster_count && renderer->scene->shadow_colored &&
@@ -287,7 +287,7 @@ static double time_pass(Renderer *renderer, int pass)
     return session_now() - start;
 }
 
-int renderer_time_passes(Renderer *renderer, RendererPassTime times[RENDERER_PASSES_MOST])
+int renderer_time_passes(Renderer *renderer, RendererPassTime times[RENDERER_PASSES_MAX])
 {
     renderer->gl->Finish();
     /* Draws kept maps again, so that their passes are measured like the others. */
@@ -313,7 +313,7 @@ char *renderer_stats(Renderer *renderer)
 {
     Arena arena = {0};
     Text out = text_new(&arena);
-    RendererPassTime times[RENDERER_PASSES_MOST];
+    RendererPassTime times[RENDERER_PASSES_MAX];
     renderer_time_passes(renderer, times);
     put_passes(&out, renderer, times);
     put_memory(&out, renderer);

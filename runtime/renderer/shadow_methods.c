@@ -18,12 +18,12 @@ const ShadowMethod *const shadow_methods[] = {METHODS(ENTER) NULL};
 _Static_assert(sizeof shadow_methods / sizeof *shadow_methods <= SHADOW_METHODS_MAX,
                "GLSL counts from 1");
 
-const char *renderer_shadows_vary(Scene *scene, Word method, Word variant)
+const char *renderer_shadows_vary(Scene *scene, Keyword method, Keyword variant)
 {
     int i = 0;
     while (shadow_methods[i] && shadow_methods[i]->word != method)
         i++;
     return shadow_methods[i] && shadow_methods[i]->vary && shadow_methods[i]->vary(scene, variant)
-               ? word_table[variant].name
+               ? keyword_table[variant].name
                : NULL;
 }

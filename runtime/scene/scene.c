@@ -13,62 +13,62 @@ bool scene_casts(const Scene *scene)
 }
 
 /* Area lights have soft shadows, which only plain maps support. */
-bool scene_light_takes(const SceneLight *light, Word method)
+bool scene_light_takes(const SceneLight *light, Keyword method)
 {
-    return light_from(light) != LIGHT_FROM_extent || method == WORD_Shadows_none ||
+    return light_from(light) != LIGHT_FROM_extent || method == KEYWORD_Shadows_none ||
            method == SCENE_SHADOWS_PLAIN;
 }
 
-void scene_lights_shadow(Scene *scene, Word method)
+void scene_lights_shadow(Scene *scene, Keyword method)
 {
     for (int i = 0; i < scene->light_count; i++)
         if (scene_light_casts(&scene->lights[i]) && scene_light_takes(&scene->lights[i], method))
             scene->lights[i].shadows = method;
 }
 
-const char *scene_shadows_name(Word word)
+const char *scene_shadows_name(Keyword word)
 {
-    return word_table[word].list == PARAM_Shadows ? word_table[word].name : NULL;
+    return keyword_table[word].list == PARAM_Shadows ? keyword_table[word].name : NULL;
 }
 
-bool scene_shadows_find(const char *name, Word *method)
+bool scene_shadows_find(const char *name, Keyword *method)
 {
     for (int i = 0; i < WORD_COUNT; i++)
-        if (word_table[i].list == PARAM_Shadows && !strcmp(word_table[i].name, name)) {
-            *method = (Word)i;
+        if (keyword_table[i].list == PARAM_Shadows && !strcmp(keyword_table[i].name, name)) {
+            *method = (Keyword)i;
             return true;
         }
     return false;
 }
 
-const char *scene_volume_name(Word word)
+const char *scene_volume_name(Keyword word)
 {
-    return word_table[word].list == PARAM_Volume ? word_table[word].name : NULL;
+    return keyword_table[word].list == PARAM_Volume ? keyword_table[word].name : NULL;
 }
 
 bool scene_indirect_is(const Scene *scene)
 {
-    return scene->indirect.rays > 0 && scene->indirect.method != WORD_Indirect_none;
+    return scene->indirect.rays > 0 && scene->indirect.method != KEYWORD_Indirect_none;
 }
 
-const char *scene_indirect_name(Word word)
+const char *scene_indirect_name(Keyword word)
 {
-    return word_table[word].list == PARAM_Indirect ? word_table[word].name : NULL;
+    return keyword_table[word].list == PARAM_Indirect ? keyword_table[word].name : NULL;
 }
 
-bool scene_indirect_find(const char *name, Word *method)
+bool scene_indirect_find(const char *name, Keyword *method)
 {
     for (int i = 0; i < WORD_COUNT; i++)
-        if (scene_indirect_name((Word)i) && !strcmp(word_table[i].name, name)) {
-            *method = (Word)i;
+        if (scene_indirect_name((Keyword)i) && !strcmp(keyword_table[i].name, name)) {
+            *method = (Keyword)i;
             return true;
         }
     return false;
 }
 
-const char *scene_displace_name(Word word)
+const char *scene_displace_name(Keyword word)
 {
-    return word_table[word].list == PARAM_Displacing ? word_table[word].name : NULL;
+    return keyword_table[word].list == PARAM_Displacing ? keyword_table[word].name : NULL;
 }
 
 unsigned scene_models(const Scene *scene)

@@ -92,8 +92,8 @@ typedef struct {
 
 /* Settings of some displacement methods. */
 typedef struct {
-    Word skirts; /* WORD_Skirts_auto, ... */
-    Word symbol; /* method points: WORD_Symbol_square, ... */
+    Keyword skirts; /* KEYWORD_Skirts_auto, ... */
+    Keyword symbol; /* method points: KEYWORD_Symbol_square, ... */
     /* method points: share of the distance from a triangle's corners to its center */
     double spread;
     /* Method feedback: a triangle is divided while distance - near < detail * area. */
@@ -104,8 +104,8 @@ typedef struct {
 
 /* Settings of `indirect:`, documented in scene.def. */
 typedef struct {
-    /* WORD_Indirect_none: `indirect:` is missing, or selects none. */
-    Word method;
+    /* KEYWORD_Indirect_none: `indirect:` is missing, or selects none. */
+    Keyword method;
     /* rays 0: the scene was not read from a document, and has no indirect light. */
     int rays, samples, steps;
     int history; /* number of frames that accumulate */
@@ -113,7 +113,7 @@ typedef struct {
     double error;
     double radius, offset, thickness; /* 0: chosen automatically */
     double contrast;
-    Word weight, distribution, sequence, rotation, march, filter;
+    Keyword weight, distribution, sequence, rotation, march, filter;
     /* Denoise radius in pixels; resolution divisor of the ray pass. */
     int filter_size, coarse;
     int moving; /* resolution divisor while something moves */
@@ -157,19 +157,19 @@ typedef struct Scene {
     /* Backdrop of pixels without a surface; with both, tiles appear only behind transparent
      * surfaces. */
     bool tiles, glow;
-    int shadow_size;      /* edge of a shadow map in texels */
-    int shadow_filter;    /* width of a shadow's edge in texels; 0: no filter */
-    int shadow_cascades;  /* shadow maps of a directional light */
-    int shadow_points;    /* sample points of an Area along each edge, a shadow map each */
-    Word shadow_volume;   /* shadow volumes: WORD_Volume_plain, ... */
-    Word shadow_path;     /* source of their vertices' depths: WORD_Path_auto, ... */
-    double shadow_offset; /* depth offset of a blurred shadow volume, in texels */
+    int shadow_size;       /* edge of a shadow map in texels */
+    int shadow_filter;     /* width of a shadow's edge in texels; 0: no filter */
+    int shadow_cascades;   /* shadow maps of a directional light */
+    int shadow_points;     /* sample points of an Area along each edge, a shadow map each */
+    Keyword shadow_volume; /* shadow volumes: KEYWORD_Volume_plain, ... */
+    Keyword shadow_path;   /* source of their vertices' depths: KEYWORD_Path_auto, ... */
+    double shadow_offset;  /* depth offset of a blurred shadow volume, in texels */
     /* the centers of the outermost texels are taken to lie at the map's edge */
     bool shadow_stretched;
     bool shadow_colored; /* transparent surfaces color the light that they transmit */
     int displaced;       /* number of objects with displaced meshes: scene_displace.c */
     SceneDisplacer *displacer;
-    Word displaced_by; /* method: WORD_Displacing_mesh, ... */
+    Keyword displaced_by; /* method: KEYWORD_Displacing_mesh, ... */
     /* Max error in the picture by bisection, or max edge by other GPU methods, in pixels; 0: the
      * picture does not matter. */
     double displaced_pixels;
@@ -184,30 +184,30 @@ typedef struct Scene {
 } Scene;
 
 /* Returns the name of a keyword of the list Displacing; NULL for any other keyword. */
-const char *scene_displace_name(Word word);
+const char *scene_displace_name(Keyword word);
 /* Finds a method of the list Shadows by name. False if unknown. */
-bool scene_shadows_find(const char *name, Word *method);
+bool scene_shadows_find(const char *name, Keyword *method);
 /* Returns the name of a keyword of the list Shadows; NULL for any other keyword. */
-const char *scene_shadows_name(Word word);
+const char *scene_shadows_name(Keyword word);
 /* Returns the name of a keyword of the list Volume; NULL for any other keyword. */
-const char *scene_volume_name(Word word);
+const char *scene_volume_name(Keyword word);
 /* Sets the shadow method of all lights that cast shadows; area lights support only shadow maps,
  * so other methods leave them unchanged. */
-void scene_lights_shadow(Scene *scene, Word method);
+void scene_lights_shadow(Scene *scene, Keyword method);
 /* Like the functions for the list Shadows, for the list Indirect. */
 bool scene_indirect_is(const Scene *scene); /* has indirect light */
-bool scene_indirect_find(const char *name, Word *method);
-const char *scene_indirect_name(Word word);
+bool scene_indirect_find(const char *name, Keyword *method);
+const char *scene_indirect_name(Keyword word);
 /* Plain shadow maps, the default of `shadows:`. */
-#define SCENE_SHADOWS_PLAIN WORD_Shadows_map
+#define SCENE_SHADOWS_PLAIN KEYWORD_Shadows_map
 static inline bool scene_light_casts(const SceneLight *light)
 {
-    return light->shadows != WORD_Shadows_none;
+    return light->shadows != KEYWORD_Shadows_none;
 }
 /* Reports whether some light casts shadows. */
 bool scene_casts(const Scene *scene);
 /* Reports whether a light supports a method of the list Shadows. */
-bool scene_light_takes(const SceneLight *light, Word method);
+bool scene_light_takes(const SceneLight *light, Keyword method);
 /* Returns the set of surface models that materials of the scene's objects use, as bits 1 <<
  * Model. */
 unsigned scene_models(const Scene *scene);

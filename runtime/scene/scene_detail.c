@@ -6,7 +6,7 @@
 #define PI 3.14159265358979323846
 
 /* Min samples of a path: --frames may select other frames than the scene. */
-enum { LEAST_SAMPLES = 512 };
+enum { MIN_SAMPLES = 512 };
 
 static double distance(const double a[3], const double b[3])
 {
@@ -33,7 +33,7 @@ static SceneDetailEye ball_of(const double (*at)[3], int count)
 /* Each sphere covers a run of frames; consecutive runs share a frame. */
 static void find_eyes(const Scene *scene, SceneDetail *detail)
 {
-    const int wanted = scene->motion.frames > LEAST_SAMPLES ? scene->motion.frames : LEAST_SAMPLES,
+    const int wanted = scene->motion.frames > MIN_SAMPLES ? scene->motion.frames : MIN_SAMPLES,
               run = (wanted + SCENE_DETAIL_EYES - 1) / SCENE_DETAIL_EYES;
     enum { PART = 64 }; /* max samples of a run */
     for (int eye = 0; eye < SCENE_DETAIL_EYES; eye++) {

@@ -20,7 +20,7 @@ typedef struct {
 
 struct SceneDisplacer {
     MatcOptions options;
-    Word method;        /* WORD_Displacing_mesh, ... */
+    Keyword method;     /* KEYWORD_Displacing_mesh, ... */
     bool processor;     /* the GPU cannot displace */
     SceneSeen seen;     /* cameras, if subdivision depends on them */
     MatcMoves *moves;   /* by material */

@@ -212,7 +212,7 @@ static uint8_t parts_of(const ScenePatches *patches, const SceneSeen *seen,
 bool scene_patches_hide(const ScenePatches *patches)
 {
     return patches->pixels > 0 && patches->dividing.push == 0 && patches->dividing.bulge == 0 &&
-           patches->method != WORD_Displacing_points;
+           patches->method != KEYWORD_Displacing_points;
 }
 
 static bool is_hidden(const ScenePatches *patches, const ScenePatch *patch, const double eye[3],

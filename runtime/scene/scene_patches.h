@@ -18,7 +18,7 @@ typedef struct ScenePatches {
     ShapeVertex *rows; /* the shape's vertices first */
     ScenePatch *at;
     int row_count, count;
-    Word method; /* keyword of the list Displacing */
+    Keyword method; /* keyword of the list Displacing */
     int material;
     SceneMatrix world_from_local;
     SceneDividing dividing;

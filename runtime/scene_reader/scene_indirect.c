@@ -1,9 +1,9 @@
 /* Reads a scene's settings of indirect light. */
 #include "runtime/scene_reader/scene_part.h"
 
-static Word word_of(const SceneThing *thing, int param)
+static Keyword keyword_of(const SceneThing *thing, int param)
 {
-    return (Word)scene_thing_number(thing, param);
+    return (Keyword)scene_thing_number(thing, param);
 }
 static int whole_of(const SceneThing *thing, int param)
 {
@@ -25,7 +25,7 @@ void scene_indirect_read(SceneReader *r, Tree *tree)
     scene_thing_preset(&thing, S_Indirect_quality);
     scene_thing_preset(&thing, S_Indirect_preset);
     r->scene->indirect = (SceneIndirect){
-        .method = tree ? word_of(&thing, S_Indirect_method) : WORD_Indirect_none,
+        .method = tree ? keyword_of(&thing, S_Indirect_method) : KEYWORD_Indirect_none,
         .rays = whole_of(&thing, S_Indirect_rays),
         .samples = whole_of(&thing, S_Indirect_samples),
         .history = whole_of(&thing, S_Indirect_history),
@@ -34,16 +34,16 @@ void scene_indirect_read(SceneReader *r, Tree *tree)
         .radius = scene_thing_number(&thing, S_Indirect_radius),
         .offset = scene_thing_number(&thing, S_Indirect_offset),
         .thickness = scene_thing_number(&thing, S_Indirect_thickness),
-        .filter = word_of(&thing, S_Indirect_filter),
+        .filter = keyword_of(&thing, S_Indirect_filter),
         .filter_size = whole_of(&thing, S_Indirect_filterSize),
-        .coarse = 1 << (word_of(&thing, S_Indirect_resolution) - WORD_Resolution_full),
-        .moving = 1 << (word_of(&thing, S_Indirect_moving) - WORD_Resolution_full),
+        .coarse = 1 << (keyword_of(&thing, S_Indirect_resolution) - KEYWORD_Resolution_full),
+        .moving = 1 << (keyword_of(&thing, S_Indirect_moving) - KEYWORD_Resolution_full),
         .contrast = scene_thing_number(&thing, S_Indirect_contrast),
-        .weight = word_of(&thing, S_Indirect_weight),
-        .distribution = word_of(&thing, S_Indirect_distribution),
-        .sequence = word_of(&thing, S_Indirect_sequence),
-        .rotation = word_of(&thing, S_Indirect_rotation),
-        .march = word_of(&thing, S_Indirect_march),
+        .weight = keyword_of(&thing, S_Indirect_weight),
+        .distribution = keyword_of(&thing, S_Indirect_distribution),
+        .sequence = keyword_of(&thing, S_Indirect_sequence),
+        .rotation = keyword_of(&thing, S_Indirect_rotation),
+        .march = keyword_of(&thing, S_Indirect_march),
         .jitter = is_so(&thing, S_Indirect_jitter),
         .checked = is_so(&thing, S_Indirect_checked),
         .directional = is_so(&thing, S_Indirect_directional),

@@ -63,7 +63,7 @@ static void read_shared(SceneReader *r, const SceneThing *thing, const LightPara
     if (direction >= 0 && !vec3_normalize(light->direction))
         fail(r, thing, &(LightFault){DIAG_no_direction, direction, "direction"});
     if (shadows >= 0)
-        light->shadows = (Word)*light_params_at(params, shadows);
+        light->shadows = (Keyword)*light_params_at(params, shadows);
     if (!scene_light_takes(light, light->shadows))
         fail(r, thing, &(LightFault){DIAG_scene_soft, shadows, scene_shadows_name(light->shadows)});
 }
@@ -72,7 +72,8 @@ static void read_light(SceneReader *r, const SceneThing *thing)
 {
     const LightParams params = params_of(thing);
     Scene *scene = r->scene;
-    SceneLight light = {.kind = thing->kind, .direction = {0, 0, -1}, .shadows = WORD_Shadows_none};
+    SceneLight light = {
+        .kind = thing->kind, .direction = {0, 0, -1}, .shadows = KEYWORD_Shadows_none};
     const LightKind *row = light_kind_of(&light);
     LightFault fault;
     read_shared(r, thing, &params, &light);

@@ -5,7 +5,7 @@
 
 #define RADIANS (3.14159265358979323846 / 180)
 
-enum { LEAST_KEYS = 2 };
+enum { MIN_KEYS = 2 };
 
 static bool fault(SceneReader *r, Span span, const char *what)
 {
@@ -49,7 +49,7 @@ static bool read_path(SceneReader *r, const SceneThing *thing, SceneMotion *moti
     for (uint32_t i = 0; keys && i < keys->count; i++)
         if (!read_key(r, keys->items[i], motion, &room))
             return false;
-    return motion->key_count >= LEAST_KEYS ||
+    return motion->key_count >= MIN_KEYS ||
            fault(r, scene_thing_span(thing, S_Path_keys), "a path has two keys or more");
 }
 

@@ -59,8 +59,8 @@ static void read_shadow_maps(SceneReader *r, Tree *tree)
     r->scene->shadow_cascades = (int)scene_thing_number(&thing, S_ShadowMaps_cascades);
     r->scene->shadow_points = (int)scene_thing_number(&thing, S_ShadowMaps_areaPoints);
     r->scene->shadow_colored = scene_thing_number(&thing, S_ShadowMaps_colored) != 0;
-    r->scene->shadow_volume = (Word)scene_thing_number(&thing, S_ShadowMaps_volume);
-    r->scene->shadow_path = (Word)scene_thing_number(&thing, S_ShadowMaps_path);
+    r->scene->shadow_volume = (Keyword)scene_thing_number(&thing, S_ShadowMaps_volume);
+    r->scene->shadow_path = (Keyword)scene_thing_number(&thing, S_ShadowMaps_path);
     r->scene->shadow_offset = scene_thing_number(&thing, S_ShadowMaps_offset);
     r->scene->shadow_stretched = scene_thing_number(&thing, S_ShadowMaps_stretched) != 0;
 }
@@ -90,18 +90,18 @@ static void read_voxels(SceneReader *r, Tree *tree)
     r->fine = false;
 }
 
-static bool has_skirts(Word method, Word skirts)
+static bool has_skirts(Keyword method, Keyword skirts)
 {
     switch (skirts) {
-    case WORD_Skirts_auto:
+    case KEYWORD_Skirts_auto:
         return true;
-    case WORD_Skirts_outline:
-        return method == WORD_Displacing_geometry;
-    case WORD_Skirts_borders:
-    case WORD_Skirts_early:
-        return method == WORD_Displacing_feedback;
+    case KEYWORD_Skirts_outline:
+        return method == KEYWORD_Displacing_geometry;
+    case KEYWORD_Skirts_borders:
+    case KEYWORD_Skirts_early:
+        return method == KEYWORD_Displacing_feedback;
     default:
-        return method == WORD_Displacing_geometry || method == WORD_Displacing_feedback;
+        return method == KEYWORD_Displacing_geometry || method == KEYWORD_Displacing_feedback;
     }
 }
 
@@ -112,35 +112,35 @@ static void read_displacement(SceneReader *r, Tree *tree)
         scene_thing_default(r, SCENE_SORT_displacement, &thing);
     else if (!scene_thing_read(r, tree, SCENE_SORT_displacement, &thing))
         return;
-    r->scene->displaced_by = (Word)scene_thing_number(&thing, S_Displacement_method);
+    r->scene->displaced_by = (Keyword)scene_thing_number(&thing, S_Displacement_method);
     r->scene->displaced_pixels = scene_thing_number(&thing, S_Displacement_pixels);
     r->scene->displaced_triangles = (int)scene_thing_number(&thing, S_Displacement_triangles);
     r->scene->displaced_level = (int)scene_thing_number(&thing, S_Displacement_level);
-    const Word method = r->scene->displaced_by;
+    const Keyword method = r->scene->displaced_by;
     SceneDividing *dividing = &r->scene->dividing;
-    dividing->skirts = (Word)scene_thing_number(&thing, S_Displacement_skirts);
+    dividing->skirts = (Keyword)scene_thing_number(&thing, S_Displacement_skirts);
     dividing->near = scene_thing_number(&thing, S_Displacement_near);
     dividing->detail = scene_thing_number(&thing, S_Displacement_detail);
     dividing->steps = (int)scene_thing_number(&thing, S_Displacement_steps);
     dividing->push = scene_thing_number(&thing, S_Displacement_push);
     dividing->bulge = scene_thing_number(&thing, S_Displacement_bulge);
     dividing->spread = scene_thing_number(&thing, S_Displacement_spread);
-    dividing->symbol = (Word)scene_thing_number(&thing, S_Displacement_symbol);
-    if ((method == WORD_Displacing_mesh || scene_displaced_traced(method)) &&
+    dividing->symbol = (Keyword)scene_thing_number(&thing, S_Displacement_symbol);
+    if ((method == KEYWORD_Displacing_mesh || scene_displaced_traced(method)) &&
         r->scene->displaced_pixels > 0)
         diag_add(r->session, scene_thing_span(&thing, S_Displacement_pixels), DIAG_scene_pixels,
-                 word_table[method].name);
-    else if (method == WORD_Displacing_bisection && r->scene->displaced_level)
+                 keyword_table[method].name);
+    else if (method == KEYWORD_Displacing_bisection && r->scene->displaced_level)
         diag_add(r->session, scene_thing_span(&thing, S_Displacement_level), DIAG_scene_level);
     else if ((dividing->push != 0 || dividing->bulge > 0) &&
              !scene_displaced_by_driver(method, r->scene->displaced_pixels))
         diag_add(r->session,
                  scene_thing_span(&thing,
                                   dividing->push != 0 ? S_Displacement_push : S_Displacement_bulge),
-                 DIAG_scene_rounded, word_table[method].name);
+                 DIAG_scene_rounded, keyword_table[method].name);
     else if (!has_skirts(method, dividing->skirts))
         diag_add(r->session, scene_thing_span(&thing, S_Displacement_skirts), DIAG_scene_skirts,
-                 word_table[method].name, word_table[dividing->skirts].name);
+                 keyword_table[method].name, keyword_table[dividing->skirts].name);
     else
         return;
     r->fine = false;

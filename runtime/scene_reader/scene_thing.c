@@ -132,7 +132,7 @@ static int place_of(const SceneThing *thing, int param) { return param - row_of(
 
 void scene_thing_preset(SceneThing *thing, int key)
 {
-    const Word word = (Word)scene_thing_number(thing, key);
+    const Keyword word = (Keyword)scene_thing_number(thing, key);
     for (int i = 0; i < scene_preset_count; i++) {
         const ScenePresetRow *row = &scene_preset_table[i];
         const char *name = scene_param_table[row->param].param.name;

@@ -12,11 +12,11 @@ layout(std430, binding = 3) buffer Glass {
 };
 #define glass_part uvec4(glass_column, glass_row, glass_columns, glass_rows)
 
-const uint GLASS_MOST = 0x80000000u; // counting stops here, so that the number cannot overflow
+const uint GLASS_MAX = 0x80000000u; // counting stops here, so that the number cannot overflow
 
 void main()
 {
-    if (glass_count >= GLASS_MOST) return;
+    if (glass_count >= GLASS_MAX) return;
     surfaceMain();
     uvec3 through = uvec3(clamp(fragment0.xyz, 0.0, 1.0) * 2097151.0 + 0.5);
     if (through == uvec3(2097151u)) return;

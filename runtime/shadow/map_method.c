@@ -2,4 +2,4 @@
 #include "runtime/shadow/shadow_method.h"
 
 extern const ShadowMethod shadow_map;
-const ShadowMethod shadow_map = {.word = WORD_Shadows_map};
+const ShadowMethod shadow_map = {.word = KEYWORD_Shadows_map};

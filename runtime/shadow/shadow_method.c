@@ -25,7 +25,7 @@ void shadow_methods_close(Renderer *renderer)
         free(renderer->shadows->methods.states[i]);
 }
 
-int shadow_method_number(const Renderer *renderer, Word word)
+int shadow_method_number(const Renderer *renderer, Keyword word)
 {
     int i = 0;
     while (renderer->shadows->methods.rows[i]->word != word)
@@ -33,7 +33,7 @@ int shadow_method_number(const Renderer *renderer, Word word)
     return i + 1;
 }
 
-void *shadow_method_state(const Renderer *renderer, Word word)
+void *shadow_method_state(const Renderer *renderer, Keyword word)
 {
     return renderer->shadows->methods.states[shadow_method_number(renderer, word) - 1];
 }
@@ -45,7 +45,7 @@ const ShadowMethod *shadow_method_of(const ShadowMethod *const *methods, const S
     return scene_light_casts(light) ? *methods : NULL;
 }
 
-int shadow_method_lights(const Renderer *renderer, Word word)
+int shadow_method_lights(const Renderer *renderer, Keyword word)
 {
     int count = 0;
     for (int i = 0; i < renderer->scene->light_count && !renderer->options.no_shadows; i++)

@@ -42,7 +42,7 @@ typedef struct {
 /* Every function may be NULL. All rows are called, whether a light uses the technique or not.
  * Functions that return bool return false on failure, with a reason in the context's error. */
 struct ShadowMethod {
-    Word word;    /* keyword of the list Shadows */
+    Keyword word; /* keyword of the list Shadows */
     size_t state; /* bytes of its state in a renderer, initially zeros */
 
     /* Needs of the technique. */
@@ -102,7 +102,7 @@ struct ShadowMethod {
     void (*look_draw)(Renderer *renderer);
 
     /* Selects the variant of that keyword, for pictures side by side. False: no such variant. */
-    bool (*vary)(Scene *scene, Word variant);
+    bool (*vary)(Scene *scene, Keyword variant);
 };
 
 /* -- A renderer's rows ----------------------------------------------------------------------- */
@@ -112,7 +112,7 @@ struct ShadowMethod {
 bool shadow_methods_open(Renderer *renderer, const ShadowMethod *const *methods);
 void shadow_methods_close(Renderer *renderer);
 /* Returns the state of a keyword's row. */
-void *shadow_method_state(const Renderer *renderer, Word word);
+void *shadow_method_state(const Renderer *renderer, Keyword word);
 /* Returns the row that a light's keyword selects; NULL: the light casts no shadows. */
 const ShadowMethod *shadow_method_of(const ShadowMethod *const *methods, const SceneLight *light);
 /* Returns the rows of techniques, followed by NULL. */
@@ -121,9 +121,9 @@ static inline const ShadowMethod *const *shadow_methods_of(const Renderer *rende
     return renderer->shadows->methods.rows;
 }
 /* Returns the number of lights with the keyword; 0 if shadows are off. */
-int shadow_method_lights(const Renderer *renderer, Word word);
+int shadow_method_lights(const Renderer *renderer, Keyword word);
 /* Returns 1 + the index of a keyword's row in the list: its number in GLSL. */
-int shadow_method_number(const Renderer *renderer, Word word);
+int shadow_method_number(const Renderer *renderer, Keyword word);
 
 /* Combined needs of all lights that cast shadows: any of them, or (`even`) all of them. */
 typedef struct {

@@ -266,9 +266,9 @@ const char *scene_displace_fault(const Scene *scene, const SceneMaterial **mater
     return scene->displacer->why;
 }
 
-SceneDisplaced scene_displace_by(Scene *scene, Word method)
+SceneDisplaced scene_displace_by(Scene *scene, Keyword method)
 {
-    const Word before = scene->displaced_by;
+    const Keyword before = scene->displaced_by;
     scene->displaced_by = method;
     if (!scene->displaced)
         return SCENE_DISPLACED_none;
@@ -288,7 +288,7 @@ bool scene_displace_patches(const Scene *scene)
     if (!scene->displaced || !scene_displaced_by_driver(by->method, scene->displaced_pixels))
         return true;
     by->processor = true;
-    by->method = by->method == WORD_Displacing_bisection ? by->method : WORD_Displacing_mesh;
+    by->method = by->method == KEYWORD_Displacing_bisection ? by->method : KEYWORD_Displacing_mesh;
     for (int i = 0; fine && i < scene->object_count; i++) {
         SceneMesh *mesh = by->bases[i].kind != SCENE_Plane ? &scene->meshes[scene->objects[i].mesh]
                                                            : NULL,

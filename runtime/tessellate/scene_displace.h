@@ -26,7 +26,7 @@ SceneDisplaced scene_displace_moved(Scene *scene, int first, int count);
 SceneDisplaced scene_displace_param(Scene *scene, int material, const char *name,
                                     const double *components, int count);
 /* Tessellates all meshes by another method of the list Displacing. */
-SceneDisplaced scene_displace_by(Scene *scene, Word method);
+SceneDisplaced scene_displace_by(Scene *scene, Keyword method);
 /* Updates view-dependent detail (scene_detail.h) for another picture size. */
 SceneDisplaced scene_displace_resized(Scene *scene, int width, int height);
 /* Replaces patches by evenly divided meshes, for a renderer that cannot displace patches or

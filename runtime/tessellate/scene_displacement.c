@@ -197,7 +197,7 @@ static bool divide(const SceneDisplacing *how, const Shape *from, SceneMesh *mes
     if (matc_has_volume(how->document, how->material))
         return scene_volume(from, &(SceneVolume){find_solid, &mover, how->level, how->triangles},
                             made, mesh->steps);
-    if (how->method != WORD_Displacing_bisection)
+    if (how->method != KEYWORD_Displacing_bisection)
         return divide_alike(&mover, from, made);
     const SceneRefining refining = {.move = move_points,
                                     .user = &mover,
@@ -229,7 +229,7 @@ double scene_displaced_bound(const MatcDocument *document, int material, const M
     return bound;
 }
 
-enum { MOST_STEPS = 12, FEEDBACK_MOST = 1 << 24 /* limit of displaced_feedback.c */ };
+enum { MAX_STEPS = 12, FEEDBACK_MAX = 1 << 24 /* limit of displaced_feedback.c */ };
 
 /* Returns the number of triangles if all are near enough to be divided. */
 static int64_t feedback_triangles(const ScenePatches *patches)
@@ -273,8 +273,8 @@ static bool divide_to_patches(const SceneDisplacing *how, const Shape *from, Sha
     const bool rounded =
         /* rounding uses the corners of the mesh's own triangles */
         how->dividing.push != 0 || how->dividing.bulge > 0;
-    const int across = how->method == WORD_Displacing_feedback ||
-                               how->method == WORD_Displacing_bisection || rounded
+    const int across = how->method == KEYWORD_Displacing_feedback ||
+                               how->method == KEYWORD_Displacing_bisection || rounded
                            ? 1
                        : by_picture ? parts_for(from, how->triangles / (double)USUAL_TRIANGLES)
                                     : (parts + SCENE_PATCH_PARTS - 1) / SCENE_PATCH_PARTS;
@@ -295,12 +295,12 @@ static bool divide_to_patches(const SceneDisplacing *how, const Shape *from, Sha
     (*patches)->method = how->method;
     (*patches)->world_from_local = how->world_from_local;
     (*patches)->dividing = how->dividing;
-    while (!how->dividing.steps && (*patches)->dividing.steps < MOST_STEPS &&
+    while (!how->dividing.steps && (*patches)->dividing.steps < MAX_STEPS &&
            feedback_triangles(*patches) * 4 <= how->triangles)
         (*patches)->dividing.steps++;
-    (*patches)->apart = how->dividing.skirts != WORD_Skirts_auto;
-    (*patches)->torn = (*patches)->apart || how->method == WORD_Displacing_points ||
-                       how->method == WORD_Displacing_feedback;
+    (*patches)->apart = how->dividing.skirts != KEYWORD_Skirts_auto;
+    (*patches)->torn = (*patches)->apart || how->method == KEYWORD_Displacing_points ||
+                       how->method == KEYWORD_Displacing_feedback;
     (*patches)->bound = bound;
     (*patches)->level = by_picture || parts > most * across ? most : (parts + across - 1) / across;
     (*patches)->pixels = how->pixels;
@@ -314,20 +314,21 @@ static bool divide_to_patches(const SceneDisplacing *how, const Shape *from, Sha
     return true;
 }
 
-bool scene_displaced_traced(Word method)
+bool scene_displaced_traced(Keyword method)
 {
-    return method == WORD_Displacing_traced || method == WORD_Displacing_parallax;
+    return method == KEYWORD_Displacing_traced || method == KEYWORD_Displacing_parallax;
 }
 
-bool scene_displaced_by_driver(Word method, double pixels)
+bool scene_displaced_by_driver(Keyword method, double pixels)
 {
-    return method != WORD_Displacing_mesh && (method != WORD_Displacing_bisection || pixels > 0);
+    return method != KEYWORD_Displacing_mesh &&
+           (method != KEYWORD_Displacing_bisection || pixels > 0);
 }
 
 bool scene_displaced_mesh(const SceneDisplacing *how, const Shape *from, SceneMesh *made)
 {
     *made = (SceneMesh){.path = "", .part = -1};
-    const bool here = how->processor || (how->method != WORD_Displacing_points &&
+    const bool here = how->processor || (how->method != KEYWORD_Displacing_points &&
                                          matc_has_volume(how->document, how->material));
     if (!here && scene_displaced_by_driver(how->method, how->pixels) &&
         !divide_to_patches(how, from, &made->shape, &made->patches))
@@ -340,9 +341,9 @@ int64_t scene_displaced_triangles(const SceneMesh *mesh)
     const ScenePatches *patches = mesh->patches;
     if (!patches)
         return mesh->shape.index_count / 3;
-    if (patches->method == WORD_Displacing_feedback)
-        return feedback_triangles(patches) < FEEDBACK_MOST ? feedback_triangles(patches)
-                                                           : FEEDBACK_MOST;
+    if (patches->method == KEYWORD_Displacing_feedback)
+        return feedback_triangles(patches) < FEEDBACK_MAX ? feedback_triangles(patches)
+                                                          : FEEDBACK_MAX;
     const int64_t all = (int64_t)patches->count * patches->level * patches->level;
     const int64_t most = patches->triangles > patches->count ? patches->triangles : patches->count;
     return patches->pixels > 0 && all > most ? most : all;

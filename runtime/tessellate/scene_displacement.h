@@ -12,7 +12,7 @@ typedef struct {
     const MatcOptions *options;
     SceneMatrix world_from_local;
     const double *origin; /* world position of the matrix's origin */
-    Word method;          /* keyword: WORD_Displacing_mesh, ... */
+    Keyword method;       /* keyword: KEYWORD_Displacing_mesh, ... */
     int triangles;
     SceneDividing dividing;
     int level;             /* parts of an edge of `from`, overriding `triangles`; 0: by triangles */
@@ -33,9 +33,9 @@ double scene_displaced_bound(const MatcDocument *document, int material,
  * operations; *made is empty. */
 bool scene_displaced_mesh(const SceneDisplacing *how, const Shape *from, SceneMesh *made);
 /* Returns whether the method runs on the GPU; `pixels` is the tolerated error, 0: none. */
-bool scene_displaced_by_driver(Word method, double pixels);
+bool scene_displaced_by_driver(Keyword method, double pixels);
 /* Returns whether the method ray-marches over evenly divided triangles. */
-bool scene_displaced_traced(Word method);
+bool scene_displaced_traced(Keyword method);
 /* Returns the max number of triangles that the mesh has or is divided into. */
 int64_t scene_displaced_triangles(const SceneMesh *mesh);
 #endif

@@ -101,7 +101,7 @@ SceneFineness scene_fine_of(const Scene *scene, const SceneObject *before)
     const double stretch = scene_detail_stretch(&before->world_from_local);
     const double unit = scene_detail_unit(&by->detail, &before->world_from_local, &ball, bound);
     const double pixels = ball.radius * stretch * unit / SCENE_DETAIL_EDGE;
-    while (fine.triangles / 4 >= SCENE_FINE_LEAST &&
+    while (fine.triangles / 4 >= SCENE_FINE_MIN &&
            fine.triangles / 4 >= sphere_area * pixels * pixels / triangle_area)
         fine.triangles /= 4;
     if (before->adapts)

@@ -4,7 +4,7 @@
 #include "compiler/base/arena.h"
 #include "runtime/scene/scene_detail.h"
 
-enum { SCENE_FINE_LEAST = 128 /* min triangles of a displaced mesh, for hardly visible objects */ };
+enum { SCENE_FINE_MIN = 128 /* min triangles of a displaced mesh, for hardly visible objects */ };
 
 /* Level of detail of a displaced object. */
 typedef struct {

@@ -84,7 +84,7 @@ enum {
     FIRST_SAMPLES = 16, /* max samples per triangle made by area */
     EVEN_SHARE = 32,    /* share of the triangles that is made by area: 1 / 32 */
     ROUND_SHARE = 8,    /* share of the triangles that a round divides: 1 / 8, */
-    ROUND_LEAST = 32,   /* but at least this number of triangles */
+    ROUND_MIN = 32,     /* but at least this number of triangles */
     BATCH = 4096        /* points moved in one call */
 };
 
@@ -367,7 +367,7 @@ static bool end_round(Refiner *r, bool by_area, ShapeVertex *at, double (*to)[3]
 static bool divide_most(Refiner *r, size_t triangles)
 {
     const size_t share = r->b.count / ROUND_SHARE;
-    const size_t round = r->b.count + (share > ROUND_LEAST ? share : ROUND_LEAST),
+    const size_t round = r->b.count + (share > ROUND_MIN ? share : ROUND_MIN),
                  to = round < triangles ? round : triangles;
     bool fine = true;
     r->round++;

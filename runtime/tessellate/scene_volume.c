@@ -18,7 +18,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { LEVELS_OF_THIN = 4, MOST_LEVELS = 1024, OFFSETS = 4, BATCH = 4096 };
+enum { LEVELS_OF_THIN = 4, MAX_LEVELS = 1024, OFFSETS = 4, BATCH = 4096 };
 static const double offset_part = 1. / 128;
 
 typedef struct {
@@ -99,7 +99,7 @@ static void make_layers(Making *m)
     if (!(low < high))
         low = 0, high = 0;
     step = fmin(step, thickness_of(m->columns, m->grid.vertex_count) / LEVELS_OF_THIN);
-    step = fmax(step, (high - low) / (MOST_LEVELS - 2));
+    step = fmax(step, (high - low) / (MAX_LEVELS - 2));
     m->layers = (SceneLayers){&m->grid, m->place, m->columns, low - step / 2, step, 0};
     m->layers.levels = step > 0 ? (int)ceil((high - low) / step) + 1 : 0;
 }
@@ -127,15 +127,15 @@ static bool march(Making *m, const Shape *from, int parts)
  * have any number of surfaces. */
 static bool march_to(Making *m, const Shape *from, double triangles)
 {
-    enum { TRY_PART = 16, LEAST_TRY = 4, MOST_PARTS = 4096 };
+    enum { TRY_PART = 16, MIN_TRY = 4, MAX_PARTS = 4096 };
     const double few = fmax(from->index_count / 3., 1);
     int parts = (int)ceil(fmax(sqrt(triangles / TRY_PART / few), 1));
-    parts = parts < LEAST_TRY ? LEAST_TRY : parts;
+    parts = parts < MIN_TRY ? MIN_TRY : parts;
     if (!march(m, from, parts))
         return false;
     const double got = (double)m->cells.index_count / 3;
     const double wanted = got > 0 ? parts * sqrt(triangles / got) : sqrt(triangles / few);
-    const int finer = (int)ceil(fmax(fmin(wanted, MOST_PARTS), 1));
+    const int finer = (int)ceil(fmax(fmin(wanted, MAX_PARTS), 1));
     return finer == parts || march(m, from, finer);
 }
 

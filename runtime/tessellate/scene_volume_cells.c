@@ -19,10 +19,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { CORNERS = 6, EDGES = 9, FACES = 5, SIDES = 3, MOST_CORNERS = 4 };
+enum { CORNERS = 6, EDGES = 9, FACES = 5, SIDES = 3, MAX_CORNERS = 4 };
 
 /* Corners of faces as seen from outside, sides first; -1: a triangle has no fourth. */
-static const int faces[FACES][MOST_CORNERS] = {
+static const int faces[FACES][MAX_CORNERS] = {
     {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}, {0, 2, 1, -1}, {3, 4, 5, -1}};
 /* Corners of a cell's edges: around the bottom, around the top, vertical. */
 static const int edges[EDGES][2] = {{0, 1}, {1, 2}, {2, 0}, {3, 4}, {4, 5},
@@ -125,9 +125,9 @@ static SceneNode crossing(const Walk *w, const Cell *cell, int edge)
                        -1};
 }
 
-static int corners_of(const int face[MOST_CORNERS])
+static int corners_of(const int face[MAX_CORNERS])
 {
-    return face[MOST_CORNERS - 1] < 0 ? MOST_CORNERS - 1 : MOST_CORNERS;
+    return face[MAX_CORNERS - 1] < 0 ? MAX_CORNERS - 1 : MAX_CORNERS;
 }
 
 /* Traces the border on each face, from the edge where a run is entered to the edge where it is
@@ -188,21 +188,21 @@ static void put_wall(Walk *w, const Cell *cell, int side)
 {
     const int *face = faces[side];
     const bool *s = cell->solid;
-    uint32_t ring[MOST_CORNERS + 2];
-    for (int i = 0; i < MOST_CORNERS; i++) {
+    uint32_t ring[MAX_CORNERS + 2];
+    for (int i = 0; i < MAX_CORNERS; i++) {
         int count = 0, at = i + 1;
-        if (s[face[i]] || !s[face[at % MOST_CORNERS]])
+        if (s[face[i]] || !s[face[at % MAX_CORNERS]])
             continue;
-        ring[count++] = rim_crossing(w, cell, side, face[i], face[at % MOST_CORNERS]);
-        for (; s[face[at % MOST_CORNERS]]; at++)
-            ring[count++] = rim_corner(w, cell, side, face[at % MOST_CORNERS]);
+        ring[count++] = rim_crossing(w, cell, side, face[i], face[at % MAX_CORNERS]);
+        for (; s[face[at % MAX_CORNERS]]; at++)
+            ring[count++] = rim_corner(w, cell, side, face[at % MAX_CORNERS]);
         ring[count++] =
-            rim_crossing(w, cell, side, face[(at - 1) % MOST_CORNERS], face[at % MOST_CORNERS]);
+            rim_crossing(w, cell, side, face[(at - 1) % MAX_CORNERS], face[at % MAX_CORNERS]);
         for (int k = 2; k < count; k++)
             add_triangle(w, ring[0], ring[k - 1], ring[k]);
     }
     if (s[face[0]] && s[face[1]] && s[face[2]] && s[face[3]]) {
-        for (int k = 0; k < MOST_CORNERS; k++)
+        for (int k = 0; k < MAX_CORNERS; k++)
             ring[k] = rim_corner(w, cell, side, face[k]);
         add_triangle(w, ring[0], ring[1], ring[2]);
         add_triangle(w, ring[0], ring[2], ring[3]);

@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { EDGE = 512, CELL = 192, MEMORY_MOST = 1 << 20 };
+enum { EDGE = 512, CELL = 192, MEMORY_MAX = 1 << 20 };
 enum { TOOL_grid, TOOL_axes, TOOL_lights, TOOL_none }; /* the words of --tools */
 
 /* -- words of options with a fixed list of values */
@@ -36,21 +36,21 @@ static const char *slot_word(const void *user, int i)
 static const char *shadows_word(const void *user, int i)
 {
     (void)user;
-    return scene_shadows_name((Word)i);
+    return scene_shadows_name((Keyword)i);
 }
 
 static const char *indirect_word(const void *user, int i)
 {
     (void)user;
-    return scene_indirect_name((Word)i);
+    return scene_indirect_name((Keyword)i);
 }
 
 /* Appends the names of all indirect light methods for --help: "none, auto, march". */
 static void put_indirect_words(Text *out)
 {
     for (int i = 0, count = 0; i < WORD_COUNT; i++)
-        if (scene_indirect_name((Word)i))
-            text_format(out, "%s%s", count++ ? ", " : "", scene_indirect_name((Word)i));
+        if (scene_indirect_name((Keyword)i))
+            text_format(out, "%s%s", count++ ? ", " : "", scene_indirect_name((Keyword)i));
 }
 
 /* -- setters for values that no kind of Option covers */
@@ -127,7 +127,7 @@ static const Option options[] = {
      .wants = "--size wants a number from 1 to 16384", .label = "=N",
      .help = "pixels of an edge: 512, of a contact sheet's cell 192; of a scene: of its width, "
              "in its proportions"},
-    {"--samples", OPTION_int, AT(samples), .min = 1, .max = RENDERER_SAMPLES_MOST,
+    {"--samples", OPTION_int, AT(samples), .min = 1, .max = RENDERER_SAMPLES_MAX,
      .wants = "--samples wants a number from 1 to 8", .label = "=N",
      .help = "N x N samples a pixel, 1 to 8: 2, of a scene 1"},
     {"--edges", OPTION_index, AT(edges), .words = OPTION_WORDS("none", "coverage"),
@@ -147,7 +147,7 @@ static const Option options[] = {
              "ends"},
     {"--bits", OPTION_int, AT(bits), .min = 8, .max = 32, .wants = "--bits wants 8, 16 or 32",
      .label = "=N", .help = "of a lane: 8 (default) or 16 of a PNG; 16 (default) or 32 of an EXR"},
-    {"--memory", OPTION_int, AT(memory), .min = 1, .max = MEMORY_MOST,
+    {"--memory", OPTION_int, AT(memory), .min = 1, .max = MEMORY_MAX,
      .wants = "--memory wants a number of MiB, from 1 on", .label = "=MIB",
      .help = "that render targets may take: 256. A picture that takes more is drawn in tiles"},
     FLAG("--progress", progress, NULL, "how far it is, on standard error, as on a terminal"),

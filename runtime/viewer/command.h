@@ -39,7 +39,7 @@ typedef struct {
     const char *compare;
     /* Shadow method and indirect light method that override the scene's; WORD_COUNT: keep
      * the scene's. */
-    Word shadows, indirect;
+    Keyword shadows, indirect;
 
     Arena words;               /* owns messages and strings built from arguments */
     struct WatchList *watched; /* input files read so far; or NULL */

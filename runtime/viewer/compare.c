@@ -7,7 +7,7 @@
 
 /* Method of a cell: a word of the list, and a variant for some shadow techniques. */
 typedef struct {
-    Word method, variant; /* variant is WORD_COUNT: no variant */
+    Keyword method, variant; /* variant is WORD_COUNT: no variant */
 } Way;
 
 typedef struct {
@@ -23,7 +23,7 @@ typedef struct {
 
 typedef struct {
     const char *list;
-    const char *(*name)(Word); /* returns NULL for words outside the list */
+    const char *(*name)(Keyword); /* returns NULL for words outside the list */
     bool (*use)(Comparison *, Way);
 } Listing;
 
@@ -62,13 +62,13 @@ static const Listing listings[] = {{"shadows", scene_shadows_name, use_shadows},
                                    {"indirect", scene_indirect_name, use_indirect},
                                    {"displacement", scene_displace_name, use_displacement}};
 
-static void add_way(Comparison *c, Word method)
+static void add_way(Comparison *c, Keyword method)
 {
     Scene varied = c->scene;
     const int before = c->count;
     for (int i = 0; i < WORD_COUNT; i++)
-        if (renderer_shadows_vary(&varied, method, (Word)i))
-            c->ways[c->count++] = (Way){method, (Word)i};
+        if (renderer_shadows_vary(&varied, method, (Keyword)i))
+            c->ways[c->count++] = (Way){method, (Keyword)i};
     if (c->count == before)
         c->ways[c->count++] = (Way){method, WORD_COUNT};
 }
@@ -76,8 +76,8 @@ static void add_way(Comparison *c, Word method)
 static void find_ways(Comparison *c, const Listing *listing)
 {
     for (int i = 0; i < WORD_COUNT; i++)
-        if (listing->name((Word)i) && i != WORD_Indirect_auto && i != WORD_Displacing_auto)
-            add_way(c, (Word)i);
+        if (listing->name((Keyword)i) && i != KEYWORD_Indirect_auto && i != KEYWORD_Displacing_auto)
+            add_way(c, (Keyword)i);
 }
 
 /* -- displacement, limited to the cells' resolution */
@@ -142,7 +142,7 @@ static bool draw_ways(Comparison *c, const Listing *listing, const ScenePictureO
 static bool draw_displacement(Comparison *c, const Listing *listing,
                               const ScenePictureOptions *options)
 {
-    const Word method = c->given->displaced_by;
+    const Keyword method = c->given->displaced_by;
     const int texels = c->given->shadow_size, triangles = c->given->displaced_triangles;
     if (!c->given->displaced)
         return gl_fail(c->gl, "no material of the scene displaces an object");

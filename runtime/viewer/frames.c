@@ -5,12 +5,12 @@
 #include <string.h>
 
 /* Parses decimal digits. Returns the end, or NULL if digits are missing or the number exceeds
- * FRAMES_MOST. */
+ * FRAMES_MAX. */
 static const char *read_number(const char *text, int *number)
 {
     const size_t digits = strspn(text, "0123456789");
     *number = digits && digits < 8 ? atoi(text) : -1;
-    return *number >= 0 && *number <= FRAMES_MOST ? text + digits : NULL;
+    return *number >= 0 && *number <= FRAMES_MAX ? text + digits : NULL;
 }
 
 const char *frames_read(const char *text, Frames *frames)

@@ -4,7 +4,7 @@
 #include "runtime/scene/scene.h"
 #include <stddef.h>
 
-enum { FRAMES_MOST = 100000, FRAMES_ROOM = 80, FRAMES_A_SECOND = 25 };
+enum { FRAMES_MAX = 100000, FRAMES_ROOM = 80, FRAMES_A_SECOND = 25 };
 
 /* Range of frames; {0}: no frames were requested. */
 typedef struct {

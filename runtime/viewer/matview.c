@@ -18,7 +18,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-enum { FINE = 0, FAULT = 1, USAGE = 2, BY_SIGNAL = 128, LONGEST_MESSAGE = 8192 };
+enum { EXIT_OK = 0, EXIT_ERROR = 1, USAGE = 2, BY_SIGNAL = 128, LONGEST_MESSAGE = 8192 };
 
 static int complain(const char *what, const char *why)
 {
@@ -27,7 +27,7 @@ static int complain(const char *what, const char *why)
     text_visible(&shown, what, strlen(what));
     fprintf(stderr, "matview: error: %s: %s\n", shown.size ? shown.at : "", why);
     arena_free(&arena);
-    return FAULT;
+    return EXIT_ERROR;
 }
 
 static int usage(const char *what)
@@ -140,7 +140,7 @@ static int draw_picture(Run *run, ScenePictures *pictures, const char *input, co
     if (!run->command->emit && strcmp(path, "-") != 0)
         puts(path);
     free(picture.words);
-    return FINE;
+    return EXIT_OK;
 }
 
 /* Draws the current scene into a cell of the contact sheet. */
@@ -154,7 +154,7 @@ static int draw_cell(Run *run, ScenePictures *pictures, const char *name)
     if (done)
         contact_sheet_add(run->sheet, name, rgb);
     free(rgb);
-    return done ? FINE : complain(name, room ? run->gl->error : contact_sheet_too_large);
+    return done ? EXIT_OK : complain(name, room ? run->gl->error : contact_sheet_too_large);
 }
 
 static int draw_material(Run *run, MatcDocument *document, int material, const char *name)
@@ -167,7 +167,7 @@ static int draw_material(Run *run, MatcDocument *document, int material, const c
     fputs(reported.diagnostics ? reported.diagnostics : "", stderr);
     free(reported.diagnostics);
     if (!made)
-        return *reported.error ? complain(name, reported.error) : FAULT;
+        return *reported.error ? complain(name, reported.error) : EXIT_ERROR;
     ScenePictures *pictures = material_pictures_of(run->materials);
     if (run->sheet)
         return draw_cell(run, pictures, name);
@@ -179,9 +179,9 @@ static int choose_and_draw(Run *run, MatcDocument *document, const char *input)
 {
     const Command *command = run->command;
     char name[PICTURE_NAME_ROOM];
-    int count = matc_material_count(document), status = FINE;
+    int count = matc_material_count(document), status = EXIT_OK;
     if (!count)
-        return command->output ? complain(input, "the document has no material to draw") : FINE;
+        return command->output ? complain(input, "the document has no material to draw") : EXIT_OK;
     int chosen = command->material ? matc_material_find(document, command->material)
                  : count == 1      ? 0
                                    : -1;
@@ -191,7 +191,7 @@ static int choose_and_draw(Run *run, MatcDocument *document, const char *input)
         fputs("matview: error: the document has several materials; name one with --material, or "
               "use -d\n",
               stderr);
-        return FAULT;
+        return EXIT_ERROR;
     }
     for (int i = 0; i < count; i++) {
         if (chosen >= 0 && i != chosen)
@@ -252,13 +252,13 @@ static int draw_frames(Drawing *d)
         const char *fault = picture_name_frame(d->run->command, d->input, frame, path);
         if (fault)
             return usage(fault);
-        if (draw_frame(d, frame, path) != FINE)
-            return FAULT;
+        if (draw_frame(d, frame, path) != EXIT_OK)
+            return EXIT_ERROR;
         shown->frame++;
         if (d->options.progress && shown->frames > 1 && frame < d->frames.last)
             d->options.progress(shown, 0, 0);
     }
-    return FINE;
+    return EXIT_OK;
 }
 
 static int write_sheet(const ContactSheet *sheet, const char *path)
@@ -266,7 +266,7 @@ static int write_sheet(const ContactSheet *sheet, const char *path)
     const char *why = contact_sheet_write(sheet, path);
     if (!why && strcmp(path, "-") != 0)
         puts(path);
-    return why ? complain(path, why) : FINE;
+    return why ? complain(path, why) : EXIT_OK;
 }
 
 static int draw_comparison(Run *run, Scene *scene, const char *input)
@@ -328,11 +328,11 @@ static int run_input(Run *run, const char *input)
     run->input = input;
     watch_input(command, input, document);
     if (!document)
-        return FAULT;
+        return EXIT_ERROR;
     run->shown = (Shown){.parts = "rows"};
     fputs(matc_diagnostics(document, MATC_TEXT), stderr);
     const char *fault = scene ? NULL : command_check_material(command);
-    int status = matc_error_count(document) ? FAULT
+    int status = matc_error_count(document) ? EXIT_ERROR
                  : scene                    ? draw_scene(run, scene, input)
                  : fault                    ? usage(fault)
                                             : choose_and_draw(run, document, input);
@@ -347,10 +347,10 @@ static int draw_inputs(const Command *command, GlContext *gl, const Shape *mesh)
     ContactSheet sheet = {.width = command->preview.width, .height = command->preview.width};
     Run run = {
         .command = command, .gl = gl, .sheet = command->contact ? &sheet : NULL, .mesh = mesh};
-    int status = FINE;
+    int status = EXIT_OK;
     for (int i = 0; i < command->input_count; i++)
         status |= run_input(&run, command->inputs[i]);
-    if (command->contact && status == FINE)
+    if (command->contact && status == EXIT_OK)
         status = write_sheet(&sheet, command->contact);
     material_pictures_close(run.materials);
     keep_document(&run, NULL);
@@ -388,7 +388,7 @@ static int run_watching(Command *command, GlContext *gl)
     do {
         WatchList files = {0};
         command->watched = &files;
-        const char *done = run_inputs(command, gl) == FINE ? "drawn" : "not drawn";
+        const char *done = run_inputs(command, gl) == EXIT_OK ? "drawn" : "not drawn";
         fflush(stdout);
         watch_set(watch, (const char *const *)files.at, files.count);
         fprintf(stderr, "matview: %s; watching %d file%s\n", done, files.count,
@@ -420,7 +420,7 @@ int main(int argc, char **argv)
     matc_options_init(&command.compile);
     command.compile.pixels = true;
     const char *fault = command_read(&command, argc, argv);
-    int status = FINE;
+    int status = EXIT_OK;
     if (fault)
         status = usage(fault);
     else if (command.help)
@@ -430,7 +430,7 @@ int main(int argc, char **argv)
     else
         status = (fault = command_check(&command)) ? usage(fault) : run(&command);
     command_free(&command);
-    if ((fflush(stdout) || ferror(stdout)) && status == FINE)
+    if ((fflush(stdout) || ferror(stdout)) && status == EXIT_OK)
         status = complain("standard output", text_error(errno));
     return status;
 }

@@ -15,7 +15,7 @@
 #include <time.h>
 #include <unistd.h>
 
-enum { RUNS = 301, LADDER_RUNS = 31, PROCESS_RUNS = 41, MOST_STAGES = 64 };
+enum { RUNS = 301, LADDER_RUNS = 31, PROCESS_RUNS = 41, MAX_STAGES = 64 };
 
 extern char **environ;
 
@@ -96,7 +96,7 @@ static void add_time(Stage *stages, int *count, const char *name, double seconds
 
 static void print_stages(bool timed)
 {
-    static Stage stages[MOST_STAGES];
+    static Stage stages[MAX_STAGES];
     int count = 0;
     MatcOptions options = options_for(false);
     for (int run = 0; run < (timed ? RUNS : 1); run++) {

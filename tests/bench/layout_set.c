@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { SIDE = 1024, TURNS = 15, TEXT_ROOM = 1 << 15, READERS = 3, MOST_MATERIALS = 4 };
+enum { SIDE = 1024, TURNS = 15, TEXT_ROOM = 1 << 15, READERS = 3, MAX_MATERIALS = 4 };
 
 /* All numbers are uniforms, so that nothing is packed beforehand. */
 static const struct {
@@ -42,7 +42,7 @@ static const char vertex_text[] =
 
 /* A text that reads a G-buffer, and what it is drawn with. */
 typedef struct {
-    MatcProgram *programs[MOST_MATERIALS];
+    MatcProgram *programs[MAX_MATERIALS];
     int count;
     Framebuffer gbuffer;
     Material reader;

@@ -24,7 +24,7 @@ enum {
     REST_ROUGHS = 4,
     MAIN = ANGLES * ROUGHS * WIDTHS,
     TERMS = MAIN + REST_ANGLES * REST_ROUGHS * WIDTHS,
-    MOST_SAMPLES = 9000
+    MAX_SAMPLES = 9000
 };
 
 typedef struct {
@@ -33,7 +33,7 @@ typedef struct {
 } Sample;
 
 typedef struct {
-    Sample samples[MOST_SAMPLES];
+    Sample samples[MAX_SAMPLES];
     int count;
     bool of_grazing;
     double terms[TERMS];

@@ -12,7 +12,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { DEGREES = 6, TERMS = DEGREES * DEGREES, MOST_SAMPLES = 8192 };
+enum { DEGREES = 6, TERMS = DEGREES * DEGREES, MAX_SAMPLES = 8192 };
 
 typedef struct {
     double r, x, value, scale, weight;
@@ -21,7 +21,7 @@ typedef struct {
 } Sample;
 
 typedef struct {
-    Sample samples[MOST_SAMPLES];
+    Sample samples[MAX_SAMPLES];
     int count;
     double terms[TERMS];
     double ridge, keep; /* of a weight, at each step */
@@ -87,10 +87,10 @@ static void run(Fit *fit, const char *name, int steps, double raise)
 
 /* -- GGX with Smith's masking by height, Fresnel's term 1 */
 
-enum { MOST_RAYS = 96 * 64 };
+enum { MAX_RAYS = 96 * 64 };
 typedef struct {
     /* cosines, and what comes from there of all that is sent */
-    double light[MOST_RAYS], share[MOST_RAYS];
+    double light[MAX_RAYS], share[MAX_RAYS];
     int count;
     double all, grazing; /* the sum, and of it by Schlick's (1 - cosine)^5 */
 } Rays;

@@ -25,7 +25,7 @@ uint32_t *frame_voxels_level(const FrameVoxelsDrawn *d, int level)
     assert_true(made && layer);
     for (int k = 0; k < voxels->layers; k++) {
         gl->BindFramebuffer(GL_FRAMEBUFFER, voxels->framebuffer);
-        for (int i = 0; i < VOXELS_LAYERS_MOST; i++)
+        for (int i = 0; i < VOXELS_LAYERS_MAX; i++)
             gl->FramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0 + (GLenum)i,
                                         i ? 0 : voxels->map, i ? 0 : level, i ? 0 : k);
         gl->ReadBuffer(GL_COLOR_ATTACHMENT0);

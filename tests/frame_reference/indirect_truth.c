@@ -15,7 +15,7 @@ void indirect_truth_find(const Scene *scene, const OpenRays *rays, const MatcOpt
             OpenRays own = *rays;
             own.state = (uint64_t)(y * scene->width + x);
             if (!isfinite(hit.distance) || reference_is_edge(&tracer, x, y, &hit, 1) ||
-                truth->count == INDIRECT_TRUTH_MOST)
+                truth->count == INDIRECT_TRUTH_MAX)
                 continue;
             IndirectPlace *place = &truth->places[truth->count++];
             *place = (IndirectPlace){y * scene->width + x, open_ray(&tracer, &hit, &own, options)};

@@ -6,7 +6,7 @@
 #include "tests/frame_reference/open_ray.h"
 
 /* pixels between places; places: of 512 x 512 */
-enum { INDIRECT_TRUTH_APART = 8, INDIRECT_TRUTH_MOST = 4096 };
+enum { INDIRECT_TRUTH_APART = 8, INDIRECT_TRUTH_MAX = 4096 };
 
 typedef struct {
     int pixel;
@@ -14,7 +14,7 @@ typedef struct {
 } IndirectPlace;
 
 typedef struct {
-    IndirectPlace places[INDIRECT_TRUTH_MOST];
+    IndirectPlace places[INDIRECT_TRUTH_MAX];
     int count;
     double light; /* mean over places and components */
 } IndirectTruth;

@@ -94,8 +94,8 @@ static double distance_of(const Scene *scene, const ShadowView *view, const floa
  * maps would have. */
 static ShadowView view_of(const ShadowPair *pair, Scene *scene)
 {
-    const Word method = scene->lights[0].shadows;
-    scene->lights[0].shadows = WORD_Shadows_map;
+    const Keyword method = scene->lights[0].shadows;
+    scene->lights[0].shadows = KEYWORD_Shadows_map;
     free(shadow_pair_draw(pair, 0, scene));
     scene->lights[0].shadows = method;
     return pair->renders[0]->shadows->views.views[0];

@@ -19,8 +19,8 @@ typedef struct {
     ShadowEndsReceiver receiver;
     /* also points where the facet and the normal are on different sides of the light */
     bool all;
-    Word volume; /* of hybrid shadows, of the list Volume; 0: it is another method */
-    int pixels;  /* the picture's edge; 0: 320, some two for each texel's edge, or less */
+    Keyword volume; /* of hybrid shadows, of the list Volume; 0: it is another method */
+    int pixels;     /* the picture's edge; 0: 320, some two for each texel's edge, or less */
 } ShadowEnds;
 
 /* The area of points that are lit and should not be, or the other way round, over the length of the

@@ -11,7 +11,7 @@ VoxelWords voxel_words(int size)
     return (VoxelWords){size, calloc(count, sizeof(uint32_t))};
 }
 
-static uint32_t *word_of(const VoxelWords *words, const int at[3])
+static uint32_t *keyword_of(const VoxelWords *words, const int at[3])
 {
     const size_t column = (size_t)at[1] * (size_t)words->size + (size_t)at[0];
     return &words->words[column * (size_t)(words->size / WORD) + (size_t)(at[2] / WORD)];
@@ -19,12 +19,12 @@ static uint32_t *word_of(const VoxelWords *words, const int at[3])
 
 bool voxel_words_at(const VoxelWords *words, const int at[3])
 {
-    return *word_of(words, at) >> at[2] % WORD & 1;
+    return *keyword_of(words, at) >> at[2] % WORD & 1;
 }
 
 void voxel_words_set(VoxelWords *words, const int at[3])
 {
-    *word_of(words, at) |= 1u << at[2] % WORD;
+    *keyword_of(words, at) |= 1u << at[2] % WORD;
 }
 
 uint32_t *voxel_words_texels(const VoxelWords *words)

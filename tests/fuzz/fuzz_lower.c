@@ -10,9 +10,9 @@
 
 int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
 {
-    uint32_t script[MOST_CHOICES];
+    uint32_t script[MAX_CHOICES];
     int count = 0;
-    for (size_t i = 2; i < size && count < MOST_CHOICES; i++)
+    for (size_t i = 2; i < size && count < MAX_CHOICES; i++)
         script[count++] =
             /* small ones and parts of 2^24 */
             bytes[i] < 128 ? bytes[i] : (uint32_t)(bytes[i] - 127) << 17;

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_OBJECTS = 64, MOST_FRAMES = 64 }; /* that are looked at: an input stays short work */
+enum { MAX_OBJECTS = 64, MAX_FRAMES = 64 }; /* that are looked at: an input stays short work */
 
 /* Every other file is one of materials. */
 static char *read_materials(void *user, const char *path, size_t *size, const char **why)
@@ -81,11 +81,11 @@ static void look_at_scene(const Scene *scene)
     look_at_camera(&scene->camera);
     for (int i = 0; i < scene->light_count; i++)
         look_at_light(&scene->lights[i]);
-    for (int i = 0; i < scene->object_count && i < MOST_OBJECTS; i++)
+    for (int i = 0; i < scene->object_count && i < MAX_OBJECTS; i++)
         look_at_object(scene, &scene->objects[i]);
     for (int i = 0; i < scene->material_count; i++)
         want(scene->materials[i].index < matc_material_count(scene->materials[i].document));
-    for (int i = 0; i < scene->motion.frames && i < MOST_FRAMES; i++) {
+    for (int i = 0; i < scene->motion.frames && i < MAX_FRAMES; i++) {
         want(scene_motion_camera(scene, i, scene->motion.frames, &camera));
         look_at_camera(&camera);
     }

@@ -16,12 +16,12 @@ const GrowthBatch growth_batches[] = {
 /* clang-format on */
 const int growth_batch_count = sizeof growth_batches / sizeof *growth_batches;
 
-enum { MOST_FOLDER = 32, MOST_PATH = 128, MOST_COMMAND = 1024 };
+enum { MAX_FOLDER = 32, MAX_PATH = 128, MAX_COMMAND = 1024 };
 
 /* d0.yaml ... in the folder, and a list of them. */
 static bool put_documents(const GrowthBatch *row, const char *folder, int count, const char *list)
 {
-    char path[MOST_PATH];
+    char path[MAX_PATH];
     snprintf(path, sizeof path, "%s/%s", folder, list);
     FILE *names = fopen(path, "w");
     for (int i = 0; names && i < count; i++) {
@@ -55,7 +55,7 @@ static double seconds_of(const char *command)
 static double run_batch(const GrowthBatch *row, const char *matc, const char *folder,
                         const char *list)
 {
-    char command[MOST_COMMAND], cache[MOST_PATH] = "";
+    char command[MAX_COMMAND], cache[MAX_PATH] = "";
     if (row->before == GROWTH_CACHED)
         snprintf(cache, sizeof cache, "--cache '%s/cache'", folder);
     snprintf(command, sizeof command, "exec '%s' -j1 --no-validate -d '%s/out' %s %s '@%s/%s'",
@@ -65,7 +65,7 @@ static double run_batch(const GrowthBatch *row, const char *matc, const char *fo
 
 static double empty(const char *folder, const char *what)
 {
-    char command[MOST_COMMAND];
+    char command[MAX_COMMAND];
     snprintf(command, sizeof command, "rm -rf '%s'%s", folder, what);
     return seconds_of(command);
 }
@@ -83,7 +83,7 @@ static void prepare(const GrowthBatch *row, const char *matc, const char *folder
 /* A folder of its own, in memory where the machine has such a place: there a new file costs the
  * same each time, while a disk took from 10 to 1,000 microseconds of system time for one within a
  * minute. */
-static bool make_folder(char path[MOST_FOLDER])
+static bool make_folder(char path[MAX_FOLDER])
 {
     return mkdtemp(strcpy(path, "/dev/shm/matc-growth-XXXXXX")) ||
            mkdtemp(strcpy(path, "/tmp/matc-growth-XXXXXX"));
@@ -91,7 +91,7 @@ static bool make_folder(char path[MOST_FOLDER])
 
 double growth_batch_seconds(const GrowthBatch *row, const char *matc, int count, int runs)
 {
-    char folder[MOST_FOLDER];
+    char folder[MAX_FOLDER];
     double least = INFINITY;
     if (!make_folder(folder))
         return INFINITY;

@@ -195,8 +195,8 @@ void world_reset(const World *w) { copy(w, "old", "now"); }
 static void become_matc(const World *w, const char *const *arguments, long at, const char *how)
 {
     char path[PATH_ROOM], number[32];
-    const char *all[MOST_ARGUMENTS + 2] = {MATC_PROGRAM};
-    for (int i = 0; i < MOST_ARGUMENTS && arguments[i]; i++)
+    const char *all[MAX_ARGUMENTS + 2] = {MATC_PROGRAM};
+    for (int i = 0; i < MAX_ARGUMENTS && arguments[i]; i++)
         all[i + 1] = arguments[i];
     world_path(w, "said", path);
     int reported = open(path, O_WRONLY | O_CREAT | O_TRUNC, 0666);
@@ -318,11 +318,11 @@ static void read_calls(World *w)
     world_path(w, "calls", path);
     char *text = read_whole(path, &size);
     forget_calls(w);
-    for (char *name = strtok_r(text, "\n", &rest); name && w->call_count + 1 < MOST_CALLS;
+    for (char *name = strtok_r(text, "\n", &rest); name && w->call_count + 1 < MAX_CALLS;
          name = strtok_r(NULL, "\n", &rest))
         w->calls[++w->call_count] = strdup(name);
     free(text);
-    assert_in_range(w->call_count, 10, MOST_CALLS - 2);
+    assert_in_range(w->call_count, 10, MAX_CALLS - 2);
 }
 
 bool call_is_one_of(const char *name, const char *const *names)

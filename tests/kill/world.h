@@ -6,15 +6,15 @@
 #include "tests/sanitized.h"
 #include <stdbool.h>
 
-enum { PATH_ROOM = 1024, MOST_ARGUMENTS = 20, MOST_CALLS = 1000, SCENARIOS = 7 };
+enum { PATH_ROOM = 1024, MAX_ARGUMENTS = 20, MAX_CALLS = 1000, SCENARIOS = 7 };
 enum { STRIKE_STEP = SANITIZED ? 4 : 1 }; /* calls from one that is struck to the next */
 
 typedef struct {
     const char *name;
-    const char *before[MOST_ARGUMENTS]; /* what was run earlier; none: nothing was */
-    const char *run[MOST_ARGUMENTS];
+    const char *before[MAX_ARGUMENTS]; /* what was run earlier; none: nothing was */
+    const char *run[MAX_ARGUMENTS];
     /* the same with a document that has a fault; none: no such run */
-    const char *faulty[MOST_ARGUMENTS];
+    const char *faulty[MAX_ARGUMENTS];
     bool index; /* out/manifest.json is an index of out */
     bool cache;
 } Scenario;
@@ -24,8 +24,8 @@ extern const Scenario scenarios[SCENARIOS];
  * runs. */
 typedef struct {
     char root[PATH_ROOM / 4];
-    Bytes before, after;     /* the folder as it was before the run, and as it should be after it */
-    char *calls[MOST_CALLS]; /* names, in their order, from 1 */
+    Bytes before, after;    /* the folder as it was before the run, and as it should be after it */
+    char *calls[MAX_CALLS]; /* names, in their order, from 1 */
     long call_count;
     int wrong;
     int left;   /* runs that succeeded but left files to remove */

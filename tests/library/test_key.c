@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_MEMBERS = 256, BLOCK_ROOM = 16 * MOST_MEMBERS };
+enum { MAX_MEMBERS = 256, BLOCK_ROOM = 16 * MAX_MEMBERS };
 
 static const char plain[] =
     "material: Phong\n"
@@ -136,10 +136,10 @@ static void keys_are_of_how_it_is_compiled(void **state)
 static void places_become_members(void **state)
 {
     Compiled c = compile("a.yaml", plain, NULL, NULL);
-    int members[MOST_MEMBERS], count = matc_place_count(c.program);
+    int members[MAX_MEMBERS], count = matc_place_count(c.program);
     unsigned char block[BLOCK_ROOM];
     (void)state;
-    assert_in_range(count, 4, MOST_MEMBERS);
+    assert_in_range(count, 4, MAX_MEMBERS);
     for (int i = 0; i < count; i++)
         members[i] = i;
     MatcOptions options = c.options;
@@ -175,9 +175,9 @@ static void places_can_share_or_stay(void **state)
     static const char gray[] = "material: Phong\nspecular: 0.3\ndiffuse: { map: Checker, color1: "
                                "0.25, color2: 0.75 }\nshininess: 0.4\n";
     Compiled c = compile("a.yaml", gray, "layout", "thesis");
-    int members[MOST_MEMBERS], count = matc_place_count(c.program), first = -1;
+    int members[MAX_MEMBERS], count = matc_place_count(c.program), first = -1;
     (void)state;
-    assert_in_range(count, 2, MOST_MEMBERS);
+    assert_in_range(count, 2, MAX_MEMBERS);
     for (int i = 0; i < count; i++)
         members[i] = -1;
     MatcOptions options = c.options;

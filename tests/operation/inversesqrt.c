@@ -25,7 +25,7 @@ static bool is_near(double a, double b) { return fabs(a - b) <= 1e-4 * fabs(b); 
 /* Checks x, the texture coordinate's u, at 4: 1/2, and -4^(-3/2) / 2 = -1/16 by u. */
 static void check_value(const Ir *ir)
 {
-    double inputs[INPUT_COUNT][4] = {{0}}, result[MOST_OUTPUTS][4];
+    double inputs[INPUT_COUNT][4] = {{0}}, result[MAX_OUTPUTS][4];
     inputs[INPUT_U][0] = 4;
     ir_eval(ir, &(ReferenceContext){0}, (const double(*)[4])inputs, result);
     expect(is_near(result[0][0], 0.5), "its value is not that of its FOLD");

@@ -28,7 +28,7 @@ void choices_script(Choices *c, const uint32_t *script, int count)
 
 uint32_t choose(Choices *c, uint32_t n)
 {
-    if (n < 2 || c->count == MOST_CHOICES)
+    if (n < 2 || c->count == MAX_CHOICES)
         return 0;
     uint32_t value = 0;
     if (!c->script)

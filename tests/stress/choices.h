@@ -6,13 +6,13 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-enum { MOST_CHOICES = 4096 };
+enum { MAX_CHOICES = 4096 };
 
 typedef struct {
     uint64_t state;         /* of the random numbers */
     const uint32_t *script; /* NULL: choices are random */
     int script_count;
-    uint32_t made[MOST_CHOICES];
+    uint32_t made[MAX_CHOICES];
     int count;
 } Choices;
 
@@ -20,7 +20,7 @@ typedef struct {
 void choices_random(Choices *c, uint64_t seed, uint64_t index);
 void choices_script(Choices *c, const uint32_t *script, int count);
 
-/* A whole number in [0, n). Past MOST_CHOICES it is 0. */
+/* A whole number in [0, n). Past MAX_CHOICES it is 0. */
 uint32_t choose(Choices *c, uint32_t n);
 /* True in `some` of `of` cases; the simplest is false. */
 bool chance(Choices *c, uint32_t some, uint32_t of);

@@ -6,12 +6,12 @@
 #include <string.h>
 
 enum {
-    MOST_DEFINITIONS = 2,
-    MOST_PARAMS = 6,
-    MOST_FILTERS = 2,
-    MOST_ITEMS = 5,
-    MOST_CHAIN = 3,
-    MOST_INPUTS = 2,
+    MAX_DEFINITIONS = 2,
+    MAX_PARAMS = 6,
+    MAX_FILTERS = 2,
+    MAX_ITEMS = 5,
+    MAX_CHAIN = 3,
+    MAX_INPUTS = 2,
     WIDEST_RELIEF = 64
 };
 
@@ -55,7 +55,7 @@ static void begin_param(Generator *g)
     text_format(g->out, "{ param: p%d, default: ", g->params++);
 }
 
-static bool choose_param(Generator *g) { return g->params < MOST_PARAMS && chance(g->c, 1, 16); }
+static bool choose_param(Generator *g) { return g->params < MAX_PARAMS && chance(g->c, 1, 16); }
 
 static void put_vector(Generator *g, int components, double low, double high)
 {
@@ -99,7 +99,7 @@ static void put_numeric(Generator *g, const ParamRow *row)
 
 static void put_wave(Generator *g, int depth)
 {
-    uint32_t kind = choose(g->c, WAVE_COUNT + (depth < MOST_CHAIN ? 3 : 0));
+    uint32_t kind = choose(g->c, WAVE_COUNT + (depth < MAX_CHAIN ? 3 : 0));
     if (kind < WAVE_COUNT) {
         text_put(g->out, wave_table[kind].name);
         return;
@@ -157,8 +157,7 @@ static void put_transform(Generator *g)
 /* Values that ascend, some of them equal; rarely any values; `plain`: a list of maps. */
 static void put_items(Generator *g, bool plain)
 {
-    int count =
-        g->relief ? 2 + (int)choose(g->c, MOST_ITEMS - 1) : (int)choose(g->c, MOST_ITEMS + 1);
+    int count = g->relief ? 2 + (int)choose(g->c, MAX_ITEMS - 1) : (int)choose(g->c, MAX_ITEMS + 1);
     bool any = chance(g->c, 1, 8);
     double value = generate_number(g->c, -2, 2, false);
     text_put(g->out, "[");
@@ -188,9 +187,9 @@ static void put_word(Generator *g, const ParamRow *row)
 {
     int first = 0, count = 0;
     for (int i = 0; i < WORD_COUNT; i++)
-        if (word_table[i].list == row->type && !count++)
+        if (keyword_table[i].list == row->type && !count++)
             first = i;
-    text_put(g->out, word_table[first + (int)choose(g->c, (uint32_t)count)].name);
+    text_put(g->out, keyword_table[first + (int)choose(g->c, (uint32_t)count)].name);
 }
 
 /* Where the map is asked, and not what of. */
@@ -261,7 +260,7 @@ static Kind choose_map(Generator *g)
 /* Its inputs are read by their first components: how many they have is not known here. */
 static void put_expression(Generator *g)
 {
-    const int inputs = g->left > 1 ? (int)choose(g->c, MOST_INPUTS + 1) : 0;
+    const int inputs = g->left > 1 ? (int)choose(g->c, MAX_INPUTS + 1) : 0;
     text_put(g->out, "{ map: Expression, is: '");
     generate_formula(g->c, g->out, inputs);
     text_put(g->out, "', with: {");
@@ -280,7 +279,7 @@ static void put_expression(Generator *g)
 static void put_kind(Generator *g, Kind kind)
 {
     bool filter = kind == KIND_Smooth3D || kind == KIND_Laplace3D || kind == KIND_Triplanar;
-    if (filter && (g->filters == MOST_FILTERS || !chance(g->c, 1, 3)))
+    if (filter && (g->filters == MAX_FILTERS || !chance(g->c, 1, 3)))
         kind = KIND_Checker, filter = false;
     const KindRow *row = &kind_table[kind];
     g->left--;
@@ -374,7 +373,7 @@ static void put_material(Generator *g, int depth)
 void generate_document(Choices *c, Text *out)
 {
     static const int sizes[] = {1, 2, 3, 5, 8, 12, 20, LARGEST_TREE};
-    int definitions = chance(c, 1, 4) ? 1 + (int)choose(c, MOST_DEFINITIONS) : 0;
+    int definitions = chance(c, 1, 4) ? 1 + (int)choose(c, MAX_DEFINITIONS) : 0;
     int size = sizes[choose(c, sizeof sizes / sizeof *sizes)];
     Generator g = {.c = c, .out = out, .left = size, .hostile = chance(c, 1, 2)};
     if (chance(c, 1, 4))
@@ -383,7 +382,7 @@ void generate_document(Choices *c, Text *out)
         text_put(out, "defs:\n");
     for (int i = 0; i < definitions; i++) {
         g.left = size / 3;
-        g.filters = MOST_FILTERS; /* it may be used within others */
+        g.filters = MAX_FILTERS; /* it may be used within others */
         text_format(out, "  d%d: ", i);
         map_value(&g);
         g.definitions = i + 1;

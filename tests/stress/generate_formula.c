@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { MOST_DEPTH = 3 };
+enum { MAX_DEPTH = 3 };
 
 typedef struct {
     Choices *c;
@@ -139,5 +139,5 @@ void generate_formula(Choices *c, Text *out, int inputs)
         value(&f, 1, 1);
         text_put(out, "; a * ");
     }
-    value(&f, 1 + (int)choose(c, 4), 1 + (int)choose(c, MOST_DEPTH));
+    value(&f, 1 + (int)choose(c, 4), 1 + (int)choose(c, MAX_DEPTH));
 }

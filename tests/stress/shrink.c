@@ -11,7 +11,7 @@ static bool still_fails(Shrinker *s, const uint32_t *script, int count)
 /* Without choices first..first+length-1. */
 static bool leave_out(Shrinker *s, uint32_t *script, int *count, int first, int length)
 {
-    uint32_t shorter[MOST_CHOICES];
+    uint32_t shorter[MAX_CHOICES];
     int rest = *count - first - length;
     memcpy(shorter, script, sizeof *script * (size_t)first);
     memcpy(shorter + first, script + first + length, sizeof *script * (size_t)rest);
@@ -24,7 +24,7 @@ static bool leave_out(Shrinker *s, uint32_t *script, int *count, int first, int 
 
 static bool zero(Shrinker *s, uint32_t *script, int count, int first, int length)
 {
-    uint32_t simpler[MOST_CHOICES];
+    uint32_t simpler[MAX_CHOICES];
     bool any = false;
     memcpy(simpler, script, sizeof *script * (size_t)count);
     for (int i = first; i < first + length; i++) {

@@ -277,9 +277,9 @@ void evaluate_float(const Ir *ir, const ReferenceContext *context,
     evaluate(ir, context, inputs, to_float, e);
 }
 
-static void widen(Spread *spread, const double result[MOST_OUTPUTS][4])
+static void widen(Spread *spread, const double result[MAX_OUTPUTS][4])
 {
-    for (int k = 0; k < 4 * MOST_OUTPUTS; k++) {
+    for (int k = 0; k < 4 * MAX_OUTPUTS; k++) {
         spread->low[k / 4][k % 4] = fmin(spread->low[k / 4][k % 4], result[k / 4][k % 4]);
         spread->high[k / 4][k % 4] = fmax(spread->high[k / 4][k % 4], result[k / 4][k % 4]);
     }
@@ -300,7 +300,7 @@ void spread_make(const Evaluated *at, Machine machine, int count, Spread *spread
         widen(spread, (const double(*)[4])rounded.value);
     }
     for (int i = 0; i < count; i++) {
-        double result[MOST_OUTPUTS][4] = {{0}};
+        double result[MAX_OUTPUTS][4] = {{0}};
         erring.evaluation = i;
         ir_eval_rounded(at->ir, at->context, at->inputs, &rounding, result);
         widen(spread, (const double(*)[4])result);

@@ -8,7 +8,7 @@
 typedef enum { MACHINE_double, MACHINE_float } Machine;
 
 typedef struct {
-    double low[MOST_OUTPUTS][4], high[MOST_OUTPUTS][4];
+    double low[MAX_OUTPUTS][4], high[MAX_OUTPUTS][4];
 } Spread;
 
 /* A program at a point, and what it gives there, exactly. */
@@ -16,7 +16,7 @@ typedef struct {
     const Ir *ir;
     const ReferenceContext *context;
     const double (*inputs)[4]; /* of INPUT_COUNT */
-    const double (*value)[4];  /* of MOST_OUTPUTS */
+    const double (*value)[4];  /* of MAX_OUTPUTS */
 } Evaluated;
 
 /* Spread of `count` evaluations. The exact value is included. */
@@ -27,7 +27,7 @@ double spread_miss(const Spread *spread, int output, int component, double value
 
 /* An evaluation as exact as doubles are, and what was seen on the way. */
 typedef struct {
-    double value[MOST_OUTPUTS][4];
+    double value[MAX_OUTPUTS][4];
     double peak; /* greatest finite number of all nodes */
     bool finite; /* all of them */
 } Evaluation;

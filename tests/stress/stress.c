@@ -12,7 +12,7 @@
 #include <malloc.h>
 #endif
 
-enum { THREADS_MOST = 64, SHRINK_TRIES = 3000, SHRINK_TRIES_DRAWN = 300, SHRINK_SECONDS = 20 };
+enum { THREADS_MAX = 64, SHRINK_TRIES = 3000, SHRINK_TRIES_DRAWN = 300, SHRINK_SECONDS = 20 };
 
 typedef struct {
     const StressOptions *options;
@@ -143,7 +143,7 @@ static void report(Worker *w, long index, const TrialPlan *plan, const Choices *
     Search search = {*plan, w->run->options->generate, fault->kind, now() + SHRINK_SECONDS};
     bool drawn = fault->kind >= FAULT_not_drawn || fault->kind == FAULT_packed;
     Shrinker shrinker = {has_fault, &search, drawn ? SHRINK_TRIES_DRAWN : SHRINK_TRIES};
-    uint32_t script[MOST_CHOICES];
+    uint32_t script[MAX_CHOICES];
     memcpy(script, choices->made, sizeof script);
     if (!drawn)
         search.plan.core = NULL;
@@ -228,10 +228,10 @@ static void keep_memory(void)
 int stress_run(const StressOptions *options, TrialCount *total)
 {
     Run *run = calloc(1, sizeof *run);
-    pthread_t threads[THREADS_MOST];
-    int count = options->threads < 1              ? 1
-                : options->threads > THREADS_MOST ? THREADS_MOST
-                                                  : options->threads;
+    pthread_t threads[THREADS_MAX];
+    int count = options->threads < 1             ? 1
+                : options->threads > THREADS_MAX ? THREADS_MAX
+                                                 : options->threads;
     if (!run)
         abort();
     keep_memory();

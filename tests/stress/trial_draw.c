@@ -12,9 +12,9 @@
 /* every 16th point is compared, all are looked at for NaN */
 enum { FEW = 8, MANY = 400, JUDGED_STEP = 16 };
 /* of a tree that is drawn: drivers inline the 27 calls of each */
-enum { MOST_FILTERS = 1 };
+enum { MAX_FILTERS = 1 };
 /* evaluations of nodes for the spreads of a slot; then it is let be */
-static const double MOST_WORK = 2e7;
+static const double MAX_WORK = 2e7;
 
 typedef struct {
     Target target;
@@ -163,7 +163,7 @@ static bool judge(Drawing *d, int noise, const Variant *v, int k, const double w
         t->count->drawn_values++;
         t->count->judged += miss <= d->bound;
         for (int count = FEW; count <= MANY && miss > d->bound; count *= MANY / FEW) {
-            if (d->work > MOST_WORK)
+            if (d->work > MAX_WORK)
                 return true;
             miss = spread_of(d, &drawn, count);
         }
@@ -289,7 +289,7 @@ static bool draw_packed(Drawing *d)
 
 bool trial_draw(Trial *t, const char *text, size_t size)
 {
-    if (t->material->filters > MOST_FILTERS)
+    if (t->material->filters > MAX_FILTERS)
         return true;
     Drawing d = {.trial = t, .document = matc_read("stress.yaml", text, size, &t->options)};
     d.exact = malloc(2 * sizeof *d.exact);

@@ -8,8 +8,8 @@
 #include <string.h>
 
 enum {
-    MOST_UNITS = 200,
-    MOST_MEMBERS = 1024,
+    MAX_UNITS = 200,
+    MAX_MEMBERS = 1024,
     VEC3 = 3,
     FLOAT = 1,
     WORD = UNIT_WORDS + 1,
@@ -33,10 +33,10 @@ typedef struct {
 
 typedef struct {
     Batch batch;
-    BatchDocument documents[MOST_UNITS];
-    BatchMaterial materials[MOST_UNITS];
-    Unit units[MOST_UNITS];
-    char names[MOST_UNITS][8];
+    BatchDocument documents[MAX_UNITS];
+    BatchMaterial materials[MAX_UNITS];
+    Unit units[MAX_UNITS];
+    char names[MAX_UNITS][8];
     Written written;
 } Made;
 
@@ -239,14 +239,14 @@ static void passes_have_programs_of_their_own(void **state)
  * and a unit of another shape. */
 static Made *group_wide(int count)
 {
-    static uint8_t components[MOST_MEMBERS + 1];
-    static uint32_t bits[3][MOST_MEMBERS + 1];
+    static uint8_t components[MAX_MEMBERS + 1];
+    static uint32_t bits[3][MAX_MEMBERS + 1];
     static const Row rows[] = {{5, 100, bits[0], true}, {5, 101, bits[1], true},
                                {5, 100, bits[0], true}, {6, 103, bits[0], true},
                                {5, 102, bits[2], true}, {5, 102, bits[2], true}};
     memset(components, FLOAT, sizeof components);
     for (int i = 0; i < 3; i++)
-        for (int k = 0; k <= MOST_MEMBERS; k++)
+        for (int k = 0; k <= MAX_MEMBERS; k++)
             bits[i][k] = (uint32_t)(k * 3 + i);
     return group(&(Case){components, count, 6, 1, NUMBERS_auto, rows});
 }
@@ -254,10 +254,10 @@ static Made *group_wide(int count)
 static void a_buffer_has_room_for_1024_members(void **state)
 {
     (void)state;
-    Made *made = group_wide(MOST_MEMBERS);
+    Made *made = group_wide(MAX_MEMBERS);
     assert_int_equal(made->batch.program_count, 2);
     assert_programs(made, (int[]){0, 0, 0, 1, 0, 0}, 6);
-    for (int i = 0; i < MOST_MEMBERS; i++)
+    for (int i = 0; i < MAX_MEMBERS; i++)
         assert_int_equal(made->batch.programs[0].members[i], i);
     done(made);
 }
@@ -266,7 +266,7 @@ static void a_buffer_has_room_for_1024_members(void **state)
 static void more_members_share_nothing(void **state)
 {
     (void)state;
-    Made *made = group_wide(MOST_MEMBERS + 1);
+    Made *made = group_wide(MAX_MEMBERS + 1);
     assert_int_equal(made->batch.program_count, 4);
     assert_programs(made, (int[]){0, 2, 0, 1, 3, 3}, 6);
     for (int i = 0; i < 4; i++) {
@@ -281,16 +281,16 @@ static void more_members_share_nothing(void **state)
 /* The list of programs grows. */
 static void many_programs_keep_their_order(void **state)
 {
-    Row rows[MOST_UNITS];
-    int programs[MOST_UNITS];
+    Row rows[MAX_UNITS];
+    int programs[MAX_UNITS];
     (void)state;
-    for (int i = 0; i < MOST_UNITS; i++) {
+    for (int i = 0; i < MAX_UNITS; i++) {
         rows[i] = (Row){5, 1000 + (uint64_t)(i % 129), first_bits, true};
         programs[i] = i % 129;
     }
-    Made *made = group(&(Case){mixed, 5, MOST_UNITS, 1, NUMBERS_baked, rows});
+    Made *made = group(&(Case){mixed, 5, MAX_UNITS, 1, NUMBERS_baked, rows});
     assert_int_equal(made->batch.program_count, 129);
-    assert_programs(made, programs, MOST_UNITS);
+    assert_programs(made, programs, MAX_UNITS);
     done(made);
 }
 

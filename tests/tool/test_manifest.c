@@ -80,16 +80,16 @@ static char *expand(const Fixture *f, const char *text)
 
 static bool run(Fixture *f, const Case *c, BatchResult *result)
 {
-    char *argv[4 + MOST_OPTIONS + MOST_DOCUMENTS] = {"matc", "-d", f->out, "--no-validate"},
-                                  paths[MOST_DOCUMENTS][PATH_ROOM];
-    char *options[MOST_OPTIONS] = {0};
+    char *argv[4 + MAX_OPTIONS + MAX_DOCUMENTS] = {"matc", "-d", f->out, "--no-validate"},
+                                 paths[MAX_DOCUMENTS][PATH_ROOM];
+    char *options[MAX_OPTIONS] = {0};
     int argc = 4;
     CommandLine line;
     const char *fault = NULL;
     const BatchCalls calls = {hear, NULL, NULL, NULL, f};
-    for (int i = 0; i < MOST_OPTIONS && c->options[i]; i++)
+    for (int i = 0; i < MAX_OPTIONS && c->options[i]; i++)
         argv[argc++] = options[i] = expand(f, c->options[i]);
-    for (int i = 0; i < MOST_DOCUMENTS && c->documents[i]; i++) {
+    for (int i = 0; i < MAX_DOCUMENTS && c->documents[i]; i++) {
         snprintf(paths[i], sizeof paths[i], "%s/%s", f->folder, c->documents[i]);
         argv[argc++] = paths[i];
     }
@@ -97,7 +97,7 @@ static bool run(Fixture *f, const Case *c, BatchResult *result)
         fail_msg("%s", fault);
     const bool fine = batch_run(&line, &calls, result);
     options_free(&line);
-    for (int i = 0; i < MOST_OPTIONS; i++)
+    for (int i = 0; i < MAX_OPTIONS; i++)
         free(options[i]);
     return fine;
 }

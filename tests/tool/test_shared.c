@@ -24,7 +24,7 @@
 #define MATC_PROGRAM "matc"
 #endif
 
-enum { MOST_MEMBERS = 256, BLOCK_ROOM = 16 * MOST_MEMBERS, RANDOM_TREES = 14, VARIANTS = 2 };
+enum { MAX_MEMBERS = 256, BLOCK_ROOM = 16 * MAX_MEMBERS, RANDOM_TREES = 14, VARIANTS = 2 };
 
 typedef struct {
     Drawer core, compat;

@@ -6,7 +6,7 @@ const Bound bound_table[SUBJECT_COUNT] = {
 #define KIND(name)                   KIND_##name
 #define WAVE(name)                   SUBJECT_WAVES + (int)WAVE_##name
 #define SLOT(name)                   SUBJECT_SLOTS + (int)SLOT_##name
-#define WORD_OF(list, name)          SUBJECT_WORDS + (int)WORD_##list##_##name
+#define KEYWORD_OF(list, name)       SUBJECT_WORDS + (int)KEYWORD_##list##_##name
 #define DEFAULT                      SUBJECT_DEFAULT
 #define BOUND(subject, bound, why)   [subject] = {bound, false, why},
 #define DRIVERS(subject, bound, why) [subject] = {bound, true, why},
@@ -14,7 +14,7 @@ const Bound bound_table[SUBJECT_COUNT] = {
 #undef KIND
 #undef WAVE
 #undef SLOT
-#undef WORD_OF
+#undef KEYWORD_OF
 #undef DEFAULT
 #undef BOUND
 #undef DRIVERS
@@ -29,7 +29,7 @@ const char *subject_name(int subject)
                                                     : "Chain";
     if (subject < SUBJECT_WORDS)
         return slot_table[subject - SUBJECT_SLOTS].name;
-    return subject < SUBJECT_DEFAULT ? word_table[subject - SUBJECT_WORDS].name : "default";
+    return subject < SUBJECT_DEFAULT ? keyword_table[subject - SUBJECT_WORDS].name : "default";
 }
 
 static void walk(const Node *node, Subjects *subjects);

@@ -30,7 +30,7 @@ bool evaluate_textures(Arena *arena, const Ir *ir, ReferenceTexture textures[EVA
             textures[i].words = image_words(t->image);
             textures[i].floats = image_floats(t->image);
             textures[i].srgb = t->srgb;
-            textures[i].wrap = (ReferenceWrap)(t->wrap - WORD_Address_repeat);
+            textures[i].wrap = (ReferenceWrap)(t->wrap - KEYWORD_Address_repeat);
             textures[i].sampler_wraps = true;
         } else {
             textures[i].floats = bake(arena, t);

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_ARGUMENTS = 16, LONGEST_WORD = 32 };
+enum { MAX_ARGUMENTS = 16, LONGEST_WORD = 32 };
 
 typedef struct {
     const char *name;
@@ -86,7 +86,7 @@ static Ref make(Ir *ir, const char *word, const Ref *args, int count)
 static Ref read_word(Ir *ir, const char **at)
 {
     char word[LONGEST_WORD];
-    Ref args[MOST_ARGUMENTS];
+    Ref args[MAX_ARGUMENTS];
     int size = 0, count = 0;
     while (isalnum((unsigned char)**at) && size + 1 < LONGEST_WORD)
         word[size++] = *(*at)++;
@@ -96,7 +96,7 @@ static Ref read_word(Ir *ir, const char **at)
     do {
         if (!(args[count++] = read(ir, at)))
             return 0;
-    } while (count < MOST_ARGUMENTS && accept(at, ','));
+    } while (count < MAX_ARGUMENTS && accept(at, ','));
     return accept(at, ')') ? make(ir, word, args, count) : 0;
 }
 

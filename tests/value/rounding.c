@@ -49,7 +49,7 @@ double rounding_miss(Document *document, int material, const MatcOptions *option
 {
     MatcOptions baked = *options;
     double miss = INFINITY;
-    if (!(hull_miss(drawn->hull, drawn->slot, drawn->component, drawn->number) <= ROUNDING_MOST))
+    if (!(hull_miss(drawn->hull, drawn->slot, drawn->component, drawn->number) <= ROUNDING_MAX))
         return INFINITY;
     baked.constants = "baked";
     for (int level = 0; level <= options->optimize && miss > bound; level += 2) {

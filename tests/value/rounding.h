@@ -22,10 +22,10 @@ typedef struct {
  * result: a step beside a large coordinate, a difference of large numbers. That is a fault, with a
  * larger error, or nearly everywhere. Over the seeds 0 ... 4 of test_value the maximum is 7.4e-5,
  * and 8 numbers of 1920. */
-#define ROUNDING_MOST 1.5e-4
+#define ROUNDING_MAX 1.5e-4
 enum { ROUNDING_NUMBERS = 16 };
 /* How far the number lies outside of what rounding makes of the program that the options choose, in
- * units of max(1, |value|). No excuse have a number ROUNDING_MOST outside of the hull, and a
+ * units of max(1, |value|). No excuse have a number ROUNDING_MAX outside of the hull, and a
  * program that has another value than the oracle without any rounding, by more than `bound` outside
  * of the hull: INFINITY. */
 double rounding_miss(Document *document, int material, const MatcOptions *options,

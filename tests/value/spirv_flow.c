@@ -26,8 +26,8 @@ enum {
     OP_RETURN,
     OP_RETURN_VALUE,
     OP_DEMOTE = 5380,
-    MOST_NESTED = 256,
-    MOST_FUNCTIONS = 512
+    MAX_NESTED = 256,
+    MAX_FUNCTIONS = 512
 };
 
 extern const glslang_resource_t *glslang_default_resource(void);
@@ -43,7 +43,7 @@ typedef struct {
 typedef struct {
     const uint32_t *words;
     size_t count;
-    Function functions[MOST_FUNCTIONS];
+    Function functions[MAX_FUNCTIONS];
     int function_count;
 } Module;
 
@@ -56,7 +56,7 @@ static bool is_implicit(uint32_t op)
 static bool find_functions(Module *m)
 {
     for (size_t at = HEAD; at < m->count; at += m->words[at] >> 16) {
-        if (!(m->words[at] >> 16) || m->function_count == MOST_FUNCTIONS)
+        if (!(m->words[at] >> 16) || m->function_count == MAX_FUNCTIONS)
             return false;
         if ((m->words[at] & 0xFFFF) == OP_FUNCTION)
             m->functions[m->function_count++] = (Function){.id = m->words[at + 2], .from = at};
@@ -68,7 +68,7 @@ static bool find_functions(Module *m)
 
 /* The way through a function's blocks. */
 typedef struct {
-    uint32_t merges[MOST_NESTED]; /* of the constructs around */
+    uint32_t merges[MAX_NESTED]; /* of the constructs around */
     int depth;
     bool ended; /* some invocations may have */
 } Path;
@@ -103,7 +103,7 @@ static void step(Module *m, Function *f, Path *path, const uint32_t *at)
     if (op == OP_LABEL)
         while (path->depth && path->merges[path->depth - 1] == at[1])
             path->depth--;
-    if ((op == OP_LOOP_MERGE || op == OP_SELECTION_MERGE) && path->depth < MOST_NESTED)
+    if ((op == OP_LOOP_MERGE || op == OP_SELECTION_MERGE) && path->depth < MAX_NESTED)
         path->merges[path->depth++] = at[1];
     f->kills |= op == OP_KILL || op == OP_DEMOTE;
     path->ended |=

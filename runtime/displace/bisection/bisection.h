@@ -32,7 +32,7 @@ typedef enum {
  * receivers (BOX), and the half size of each light along the axes (EXTENT). */
 typedef struct {
     int count;
-    float each[BISECTION_LIGHTS_MOST][4], box[2][3], extent[BISECTION_LIGHTS_MOST][3];
+    float each[BISECTION_LIGHTS_MAX][4], box[2][3], extent[BISECTION_LIGHTS_MAX][3];
 } BisectionLights;
 
 typedef struct {

@@ -14,7 +14,7 @@ enum {
         /* Deviations are evaluated on parts of a size at which a base has as many as it has
          * final triangles, divided by this number. */
     8,
-    PARTS_MOST = 6,  /* at most 2^6 parts per triangle: coarser ones are always bisected */
+    PARTS_MAX = 6,   /* at most 2^6 parts per triangle: coarser ones are always bisected */
     PLACE_BITS = 24, /* bits of a leaf's slot in the table */
     RANGE_PARTS = 4  /* ranges are stored down to triangles of 2^4 such parts */
 };
@@ -276,7 +276,7 @@ static void set_constants(Displaced *d)
         sqrt((double)(reach[0] * reach[0] + reach[1] * reach[1] + reach[2] * reach[2]));
     bisection_set_number(d, "bisect_worst", reached > 0 ? exp2(ceil(log2(2 * reached))) : 1);
     bisection_set_number(d, "bisect_even", even);
-    bisection_set_number(d, "bisect_coarse", even > PARTS_MOST ? even - PARTS_MOST : 0);
+    bisection_set_number(d, "bisect_coarse", even > PARTS_MAX ? even - PARTS_MAX : 0);
     bisection_set(d, "bisect_reach", 3, reach);
     Bisection *b = d->own;
     find_box(patches, reach, b->box);

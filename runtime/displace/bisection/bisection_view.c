@@ -72,7 +72,7 @@ BisectionLights bisection_view_lights(const DisplacedView *view)
     const float anywhere = 1e30f;
     const Scene *scene = view->scene;
     BisectionLights found = {0};
-    for (int i = 0; i < scene->light_count && found.count < BISECTION_LIGHTS_MOST; i++) {
+    for (int i = 0; i < scene->light_count && found.count < BISECTION_LIGHTS_MAX; i++) {
         const SceneLight *light = &scene->lights[i];
         if (!bisection_casts(light))
             continue;

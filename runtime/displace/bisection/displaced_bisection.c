@@ -19,7 +19,7 @@ enum {
     ROWS_BINDING = DISPLACED_BINDINGS - DISPLACED_BUFFERS,
     GROUP = 64,
     WIDE_GROUPS = 256,
-    LEAST_ROOM = 1 << 12
+    MIN_ROOM = 1 << 12
 };
 
 /* -- stages */
@@ -261,7 +261,7 @@ static bool settle(Displaced *d, Mesh *mesh)
 static bool begin(Displaced *d, Mesh *mesh)
 {
     Bisection *b = d->own;
-    const int bases = d->patches->count, room = 2 * bases > LEAST_ROOM ? 2 * bases : LEAST_ROOM;
+    const int bases = d->patches->count, room = 2 * bases > MIN_ROOM ? 2 * bases : MIN_ROOM;
     if (!bisection_room(d, mesh, room < b->most ? room : b->most))
         return false;
     bind(d, mesh);
@@ -348,4 +348,4 @@ uint64_t *displaced_bisection_leaves(const Displaced *d, int *count)
 }
 
 const DisplacedMethod displaced_bisection = {
-    WORD_Displacing_bisection, true, bisection_there, bisection_make, write, bisection_forget};
+    KEYWORD_Displacing_bisection, true, bisection_there, bisection_make, write, bisection_forget};

@@ -41,12 +41,12 @@ static bool there(const GlContext *gl)
 static int skirts_of(const ScenePatches *patches)
 {
     switch (patches->dividing.skirts) {
-    case WORD_Skirts_all:
+    case KEYWORD_Skirts_all:
         return 1;
-    case WORD_Skirts_borders:
+    case KEYWORD_Skirts_borders:
         return 2;
-    case WORD_Skirts_none:
-    case WORD_Skirts_copy:
+    case KEYWORD_Skirts_none:
+    case KEYWORD_Skirts_copy:
         return 0;
     default:
         return 3;
@@ -170,7 +170,7 @@ static int begin_with_patches(const Displaced *d, Feedback *own)
     static const float corner[3][2] = {{1, 0}, {0, 1}, {0, 0}};
     const GlContext *gl = displaced_context(d);
     const int patches = d->patches->count,
-              count = patches * (d->patches->dividing.skirts == WORD_Skirts_copy ? 2 : 1);
+              count = patches * (d->patches->dividing.skirts == KEYWORD_Skirts_copy ? 2 : 1);
     Divided *vertices = calloc(3 * (size_t)count + 1, sizeof *vertices);
     for (int i = 0; vertices && i < 3 * count; i++)
         vertices[i] = (Divided){(uint32_t)(i / 3 % patches),
@@ -279,4 +279,4 @@ static bool write(Displaced *d, const DisplacedView *view, Mesh *mesh)
 }
 
 const DisplacedMethod displaced_feedback = {
-    WORD_Displacing_feedback, true, there, make, write, forget};
+    KEYWORD_Displacing_feedback, true, there, make, write, forget};

@@ -29,27 +29,27 @@ static int displaced_geometry_points(const GlContext *gl)
 /* -- output sizes: n rows have n^2 triangles in strips of n^2 + 2 n points; a band has two
  * points for each end of its edges, and two triangles for each edge */
 
-static int points_of(int rows, Word skirts)
+static int points_of(int rows, Keyword skirts)
 {
     const int strips = rows * (rows + 2);
-    return skirts == WORD_Skirts_outline ? strips + 6 * (rows + 1)
-           : skirts == WORD_Skirts_all   ? strips + 8 * rows * rows
-           : skirts == WORD_Skirts_copy  ? strips + 3
-                                         : strips;
+    return skirts == KEYWORD_Skirts_outline ? strips + 6 * (rows + 1)
+           : skirts == KEYWORD_Skirts_all   ? strips + 8 * rows * rows
+           : skirts == KEYWORD_Skirts_copy  ? strips + 3
+                                            : strips;
 }
 
 /* Returns the number of triangles of a patch whose edges have n parts. */
-static size_t triangles_of(int n, Word skirts)
+static size_t triangles_of(int n, Keyword skirts)
 {
     const size_t all = (size_t)n * (size_t)n;
-    return skirts == WORD_Skirts_outline ? all + 6 * (size_t)n
-           : skirts == WORD_Skirts_all   ? 7 * all
-           : skirts == WORD_Skirts_copy  ? all + 1
-                                         : all;
+    return skirts == KEYWORD_Skirts_outline ? all + 6 * (size_t)n
+           : skirts == KEYWORD_Skirts_all   ? 7 * all
+           : skirts == KEYWORD_Skirts_copy  ? all + 1
+                                            : all;
 }
 
 /* Returns the greatest number of rows that divides n and fits into `points`. */
-static int rows_of(int n, Word skirts, int points)
+static int rows_of(int n, Keyword skirts, int points)
 {
     int rows = n;
     while (rows > 1 && (n % rows || points_of(rows, skirts) > points))
@@ -70,12 +70,12 @@ static bool make(const DisplacedMaking *making, Displaced *made)
                                      render_text_displace_loop}};
     if (!displaced_program(making, &text, &made->material))
         return false;
-    const Word skirts = making->patches->dividing.skirts;
+    const Keyword skirts = making->patches->dividing.skirts;
     material_set_number(&made->material, "displace_skirts",
-                        skirts == WORD_Skirts_copy      ? 1
-                        : skirts == WORD_Skirts_outline ? 2
-                        : skirts == WORD_Skirts_all     ? 3
-                                                        : 0);
+                        skirts == KEYWORD_Skirts_copy      ? 1
+                        : skirts == KEYWORD_Skirts_outline ? 2
+                        : skirts == KEYWORD_Skirts_all     ? 3
+                                                           : 0);
     return true;
 }
 
@@ -86,7 +86,7 @@ static bool make(const DisplacedMaking *making, Displaced *made)
 static size_t draw_patches(Displaced *d, const int first[2], int n, const Mesh *mesh, size_t at)
 {
     const GlContext *gl = displaced_context(d);
-    const Word skirts = d->patches->dividing.skirts;
+    const Keyword skirts = d->patches->dividing.skirts;
     const int rows = rows_of(n, skirts, displaced_geometry_points(gl)), parts = n / rows;
     const size_t points = 3 * triangles_of(n, skirts);
     const int most = gl->hardware               ? first[1] - first[0]
@@ -120,4 +120,4 @@ static bool write(Displaced *d, const DisplacedView *view, Mesh *mesh)
 }
 
 const DisplacedMethod displaced_geometry = {
-    WORD_Displacing_geometry, false, displaced_geometry_there, make, write, NULL};
+    KEYWORD_Displacing_geometry, false, displaced_geometry_there, make, write, NULL};

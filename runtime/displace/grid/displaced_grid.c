@@ -68,4 +68,4 @@ static bool write(Displaced *d, const DisplacedView *view, Mesh *mesh)
     return displaced_parts(d, view, first) && (!d->anew || write_grids(d, first, mesh));
 }
 
-const DisplacedMethod displaced_grid = {WORD_Displacing_grid, false, NULL, make, write, NULL};
+const DisplacedMethod displaced_grid = {KEYWORD_Displacing_grid, false, NULL, make, write, NULL};

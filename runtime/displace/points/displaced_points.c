@@ -8,12 +8,12 @@ enum { SOFTWARE_POINTS = 1 << 15 /* limit per draw: see displaced_tessellation.c
 
 /* Symbols, by their numbers in displace_symbol.glsl, with their numbers of triangles. */
 static const struct {
-    Word word;
+    Keyword word;
     int triangles;
-} symbols[] = {{WORD_Symbol_square, 2},
-               {WORD_Symbol_billboard, 2},
-               {WORD_Symbol_cylinder, 22},
-               {WORD_Symbol_sphere, 36}};
+} symbols[] = {{KEYWORD_Symbol_square, 2},
+               {KEYWORD_Symbol_billboard, 2},
+               {KEYWORD_Symbol_cylinder, 22},
+               {KEYWORD_Symbol_sphere, 36}};
 enum {
     BILLBOARD = 1,
     HEIGHTS = 4 /* max symbols over a point of a volume */,
@@ -108,4 +108,4 @@ static bool write(Displaced *d, const DisplacedView *view, Mesh *mesh)
 }
 
 const DisplacedMethod displaced_points = {
-    WORD_Displacing_points, true, displaced_geometry_there, make, write, NULL};
+    KEYWORD_Displacing_points, true, displaced_geometry_there, make, write, NULL};

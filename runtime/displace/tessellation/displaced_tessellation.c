@@ -84,4 +84,4 @@ static bool write(Displaced *d, const DisplacedView *view, Mesh *mesh)
 }
 
 const DisplacedMethod displaced_tessellation = {
-    WORD_Displacing_tessellation, false, there, make, write, NULL};
+    KEYWORD_Displacing_tessellation, false, there, make, write, NULL};

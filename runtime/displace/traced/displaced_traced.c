@@ -86,7 +86,7 @@ static bool make(const DisplacedMaking *making, Displaced *made)
     if (!trace)
         return gl_fail(gl, "out of memory");
     trace->parts = patches->level;
-    trace->parallax = patches->method == WORD_Displacing_parallax;
+    trace->parallax = patches->method == KEYWORD_Displacing_parallax;
     trace->triangles = trace->parallax ? 1 : HULL_TRIANGLES;
     if (!displaced_grid.make(making, made) || !make_programs(making, trace) ||
         !make_hulls(gl, trace, patches->count))
@@ -161,6 +161,6 @@ DisplacedTrace *displaced_traced(const Displaced *d)
 }
 
 const DisplacedMethod displaced_by_tracing = {
-    WORD_Displacing_traced, false, there, make, write, forget};
+    KEYWORD_Displacing_traced, false, there, make, write, forget};
 const DisplacedMethod displaced_by_parallax = {
-    WORD_Displacing_parallax, false, there, make, write, forget};
+    KEYWORD_Displacing_parallax, false, there, make, write, forget};

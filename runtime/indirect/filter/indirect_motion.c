@@ -84,7 +84,7 @@ static void add_box(const VoxelRange *added, VoxelRange *boxes, int *count)
     int i = 0;
     while (i < *count && !meet(added, &boxes[i]))
         i++;
-    if (i == *count && *count < TEMPORAL_BOXES_MOST) {
+    if (i == *count && *count < TEMPORAL_BOXES_MAX) {
         boxes[(*count)++] = *added;
         return;
     }
@@ -179,13 +179,13 @@ static void number_object(Renderer *renderer, const double was[16], int object, 
     const CullBox *box = &renderer->gpu_scene.boxes[renderer->gpu_scene.places[place].mesh];
     if (!cull_sees(&renderer->volume, box, matrix))
         return;
-    const bool known = next < TEMPORAL_MOTIONS_MOST &&
+    const bool known = next < TEMPORAL_MOTIONS_MAX &&
                        find_motion(renderer, was, object, block + TEMPORAL_MOTIONS + 4 * next);
     if (known)
         put_step(was, box, matrix, &renderer->indirect->motion.kept[object],
                  block[TEMPORAL_STEPS + next]);
     block[TEMPORAL_COUNTS][1] += known;
-    draw_number(renderer, object, known ? next + 1 : TEMPORAL_MOTIONS_MOST + 1);
+    draw_number(renderer, object, known ? next + 1 : TEMPORAL_MOTIONS_MAX + 1);
 }
 
 static bool has_moved(const Renderer *renderer, int object)
@@ -214,7 +214,7 @@ static bool begin(Renderer *renderer, IndirectMotion *motion)
 bool indirect_motion_draw(Renderer *renderer, const double was[16], float (*block)[4])
 {
     IndirectMotion *motion = &renderer->indirect->motion;
-    VoxelRange boxes[TEMPORAL_BOXES_MOST];
+    VoxelRange boxes[TEMPORAL_BOXES_MAX];
     int count = 0;
     memset(block[TEMPORAL_COUNTS], 0, sizeof *block);
     for (int i = motion->first; motion->kept && i < motion->end; i++) {

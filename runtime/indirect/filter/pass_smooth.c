@@ -13,7 +13,7 @@ enum { SOURCE_UNIT = INDIRECT_FREE_UNIT, FOUND_UNIT };
  * which is then upsampled. */
 static bool is_atrous(const Renderer *renderer)
 {
-    return renderer->scene->indirect.filter == WORD_Filter_atrous && !indirect_moves(renderer);
+    return renderer->scene->indirect.filter == KEYWORD_Filter_atrous && !indirect_moves(renderer);
 }
 
 static bool is_spread(const Renderer *renderer)

@@ -4,7 +4,7 @@
 #include "runtime/indirect/settings/indirect_method.h"
 
 const IndirectMethod indirect_hybrid = {
-    .word = WORD_Indirect_hybrid,
+    .word = KEYWORD_Indirect_hybrid,
     .automatic = true,
     .reads = INDIRECT_READS_voxels | INDIRECT_READS_radiance | INDIRECT_READS_near,
     .steps = 4, /* one for each voxel */
@@ -13,7 +13,7 @@ const IndirectMethod indirect_hybrid = {
 };
 
 const IndirectMethod indirect_voxels = {
-    .word = WORD_Indirect_voxels,
+    .word = KEYWORD_Indirect_voxels,
     .reads = INDIRECT_READS_voxels | INDIRECT_READS_radiance,
     .steps = 8,
     .ray = render_text_voxel_ray,

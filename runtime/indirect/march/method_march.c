@@ -4,7 +4,7 @@
 #include "runtime/indirect/settings/indirect_method.h"
 
 const IndirectMethod indirect_march = {
-    .word = WORD_Indirect_march,
+    .word = KEYWORD_Indirect_march,
     .reads = INDIRECT_READS_voxels_by_march,
     .steps = 8,
     .ray = render_text_voxel_march,

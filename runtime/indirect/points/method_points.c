@@ -4,7 +4,7 @@
 #include "runtime/indirect/settings/indirect_method.h"
 
 const IndirectMethod indirect_points = {
-    .word = WORD_Indirect_points,
+    .word = KEYWORD_Indirect_points,
     .reads = INDIRECT_READS_voxels_by_march,
     .unlit = true,
     .steps = 8,

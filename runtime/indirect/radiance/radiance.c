@@ -157,8 +157,8 @@ static bool make_buffers(Renderer *renderer)
     const GlContext *gl = renderer->gl;
     FrameRadiance *radiance = renderer->radiance;
     const size_t size =
-        (size_t)(renderer->voxels->grid.size < RADIANCE_SIZE_MOST ? renderer->voxels->grid.size
-                                                                  : RADIANCE_SIZE_MOST);
+        (size_t)(renderer->voxels->grid.size < RADIANCE_SIZE_MAX ? renderer->voxels->grid.size
+                                                                 : RADIANCE_SIZE_MAX);
     radiance->size = (int)size;
     gl->GenBuffers(1, &radiance->faces);
     gl->GenBuffers(1, &radiance->nodes);

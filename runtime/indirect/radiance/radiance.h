@@ -26,7 +26,7 @@
 #include "runtime/gpu_material/screen_pass.h"
 #include "runtime/frame_graph/renderer_options.h"
 
-enum { RADIANCE_SIZE_MOST = 256, RADIANCE_SIDES = 6 };
+enum { RADIANCE_SIZE_MAX = 256, RADIANCE_SIDES = 6 };
 
 struct FrameRadiance {
     Material *keepers; /* by surface kind of the GPU scene: a program that writes nodes */
@@ -38,7 +38,7 @@ struct FrameRadiance {
     GLuint faces, nodes, kept;       /* buffers */
     GLuint faces_words, kept_texels; /* buffer textures of `faces` and `kept`, for rays */
     GLuint framebuffer;
-    /* Voxels along an edge: the map's size, at most RADIANCE_SIZE_MOST, halved until the nodes
+    /* Voxels along an edge: the map's size, at most RADIANCE_SIZE_MAX, halved until the nodes
      * fit into the buffers. */
     int size;
     GLuint room; /* capacity of the buffers in nodes */

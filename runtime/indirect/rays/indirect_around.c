@@ -74,7 +74,7 @@ void indirect_around_add(const Renderer *renderer, char defined[INDIRECT_AROUND_
 static double level_of(const Renderer *renderer)
 {
     const SceneIndirect *in = &renderer->scene->indirect;
-    const double shared = in->filter == WORD_Filter_none ? 1 : 16, face = SKY_FACE;
+    const double shared = in->filter == KEYWORD_Filter_none ? 1 : 16, face = SKY_FACE;
     return fmax(0, .5 * log2(PI / (in->rays * shared) * 6 * face * face / (4 * PI)));
 }
 

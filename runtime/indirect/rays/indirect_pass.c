@@ -15,7 +15,7 @@
 enum { NEAR = 4 };
 
 /* PACKED: 16-bit ranks of blue noise in a vector of the block. */
-enum { RAYS_OF_SLICE = 8, PACKED = 8, SHIFTS_MOST = BLUE_NOISE_EDGE * BLUE_NOISE_EDGE / PACKED };
+enum { RAYS_OF_SLICE = 8, PACKED = 8, SHIFTS_MAX = BLUE_NOISE_EDGE * BLUE_NOISE_EDGE / PACKED };
 
 /* Returns the sequence of a pixel's samples. The slices of a bit mask share one shift, of up to
  * the angle between two slices. */
@@ -28,20 +28,20 @@ static IndirectSequence sequence_of(const Renderer *renderer)
 
 static bool turns_bits(const IndirectSequence *of)
 {
-    return of->rotation == WORD_Rotation_tile && of->sequence == WORD_Sequence_sobol;
+    return of->rotation == KEYWORD_Rotation_tile && of->sequence == KEYWORD_Sequence_sobol;
 }
 
 /* Number of vectors of the block that hold shifts. */
 static int shifts_of(const IndirectSequence *of)
 {
     const int edge = indirect_sequence_edge(of);
-    return of->rotation == WORD_Rotation_blue ? SHIFTS_MOST : edge * edge;
+    return of->rotation == KEYWORD_Rotation_blue ? SHIFTS_MAX : edge * edge;
 }
 
 void indirect_define(const Renderer *renderer, int coarse, char text[INDIRECT_DEFINITIONS])
 {
     const SceneIndirect *in = &renderer->scene->indirect;
-    const bool uniform = in->distribution == WORD_Distribution_uniform,
+    const bool uniform = in->distribution == KEYWORD_Distribution_uniform,
                bent = indirect_shows(renderer, "bent");
     const IndirectSequence sequence = sequence_of(renderer);
     const IndirectMethod *method = indirect_method(renderer);
@@ -59,13 +59,13 @@ void indirect_define(const Renderer *renderer, int coarse, char text[INDIRECT_DE
         "#define INDIRECT_COARSE %d\n#define INDIRECT_FILTER %d\n%s%s%s%s%s%s%s%s%s",
         in->rays, (in->rays + RAYS_OF_SLICE - 1) / RAYS_OF_SLICE,
         in->steps ? in->steps : method->steps, indirect_keeps(renderer) ? 1 : in->samples,
-        indirect_sequence_edge(&sequence), shifts_of(&sequence), word_table[in->weight].name,
-        word_table[in->rotation].name, in->jitter ? "1.0" : "0.0", coarse,
+        indirect_sequence_edge(&sequence), shifts_of(&sequence), keyword_table[in->weight].name,
+        keyword_table[in->rotation].name, in->jitter ? "1.0" : "0.0", coarse,
         indirect_filter_size(renderer, coarse), turns,
         indirect_keeps(renderer) ? "#define INDIRECT_SETS\n" : "",
         uniform ? "#define INDIRECT_UNIFORM\n#define INDIRECT_SHARE(cosine) (2.0 * (cosine))\n"
                 : "#define INDIRECT_SHARE(cosine) 1.0\n",
-        in->march == WORD_March_picture ? "#define INDIRECT_PICTURE\n" : "",
+        in->march == KEYWORD_March_picture ? "#define INDIRECT_PICTURE\n" : "",
         in->checked ? "#define INDIRECT_CHECKED\n" : "",
         method->reads & INDIRECT_READS_near ? "#define INDIRECT_NEAR\n" : "",
         in->bounces > 0 && !bent && !indirect_shows(renderer, "visibility")
@@ -80,8 +80,8 @@ int indirect_filter_size(const Renderer *renderer, int coarse)
     const SceneIndirect *in = &renderer->scene->indirect;
     const IndirectSequence sequence = sequence_of(renderer);
     const int edge = indirect_sequence_edge(&sequence);
-    if (in->filter == WORD_Filter_none || in->filter_size)
-        return in->filter == WORD_Filter_none ? 0 : in->filter_size;
+    if (in->filter == KEYWORD_Filter_none || in->filter_size)
+        return in->filter == KEYWORD_Filter_none ? 0 : in->filter_size;
     const int tile = edge && edge < INDIRECT_SEQUENCE_TILE ? edge / 2 : INDIRECT_SEQUENCE_TILE / 2;
     return tile * coarse > widest ? widest / coarse : tile;
 }
@@ -117,7 +117,7 @@ static void put_shifts(const IndirectSequence *of, float (*block)[4])
     const int edge = indirect_sequence_edge(of);
     for (int i = 0; i < edge * edge; i++) {
         double shift[3];
-        if (of->rotation == WORD_Rotation_blue) {
+        if (of->rotation == KEYWORD_Rotation_blue) {
             const uint16_t rank = (uint16_t)blue_noise_rank(i % edge, i / edge);
             memcpy((char *)block + sizeof rank * (size_t)i, &rank, sizeof rank);
             continue;
@@ -136,8 +136,8 @@ static void set_block(const Renderer *renderer, ScreenPass *pass)
     const double lift = .75, part = .05;
     const SceneIndirect *in = &renderer->scene->indirect;
     const IndirectSequence sequence = sequence_of(renderer);
-    float block[INDIRECT_BLOCK_HEAD + INDIRECT_RAYS_MOST + SHIFTS_MOST][4] = {{0}};
-    double samples[INDIRECT_RAYS_MOST][2];
+    float block[INDIRECT_BLOCK_HEAD + INDIRECT_RAYS_MAX + SHIFTS_MAX][4] = {{0}};
+    double samples[INDIRECT_RAYS_MAX][2];
     memcpy(block[INDIRECT_BLOCK_RAY], renderer->space.ray, sizeof block[INDIRECT_BLOCK_RAY]);
     memcpy(block[INDIRECT_BLOCK_VIEW], renderer->space.depth, sizeof block[INDIRECT_BLOCK_VIEW]);
     block[INDIRECT_BLOCK_REACH][0] =

@@ -8,8 +8,8 @@ int indirect_planes_count(const Renderer *renderer)
 {
     const int count = renderer->gpu_scene.opaque_plane_count;
     return !indirect_reads_radiance(renderer) ? 0
-           : count < INDIRECT_PLANES_MOST     ? count
-                                              : INDIRECT_PLANES_MOST;
+           : count < INDIRECT_PLANES_MAX      ? count
+                                              : INDIRECT_PLANES_MAX;
 }
 
 void indirect_planes_define(const Renderer *renderer, char text[INDIRECT_PLANES_DEFINITION])
@@ -22,9 +22,9 @@ void indirect_planes_define(const Renderer *renderer, char text[INDIRECT_PLANES_
 
 void indirect_planes_set(const Renderer *renderer, ScreenPass *pass)
 {
-    float planes[INDIRECT_PLANES_MOST][4];
+    float planes[INDIRECT_PLANES_MAX][4];
     int count = 0;
-    for (int i = 0; i < renderer->gpu_scene.plane_count && count < INDIRECT_PLANES_MOST; i++)
+    for (int i = 0; i < renderer->gpu_scene.plane_count && count < INDIRECT_PLANES_MAX; i++)
         if (!renderer->gpu_scene.planes[i].transparent)
             shadow_plane(
                 renderer,

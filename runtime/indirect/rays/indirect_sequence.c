@@ -33,32 +33,32 @@ static double random_next(uint64_t *state)
     return (double)((z ^ z >> 31) >> 11) * 0x1p-53;
 }
 
-void indirect_sequence_samples(Word sequence, int count, double (*samples)[2])
+void indirect_sequence_samples(Keyword sequence, int count, double (*samples)[2])
 {
     uint64_t state = 0;
     for (int i = 0; i < count; i++) {
         const unsigned number = (unsigned)i;
-        samples[i][0] = sequence == WORD_Sequence_random       ? random_next(&state)
-                        : sequence == WORD_Sequence_hammersley ? (double)i / count
-                                                               : mirrored(number, 2);
-        samples[i][1] = sequence == WORD_Sequence_random   ? random_next(&state)
-                        : sequence == WORD_Sequence_sobol  ? sobol(number)
-                        : sequence == WORD_Sequence_halton ? mirrored(number, 3)
-                                                           : mirrored(number, 2);
+        samples[i][0] = sequence == KEYWORD_Sequence_random       ? random_next(&state)
+                        : sequence == KEYWORD_Sequence_hammersley ? (double)i / count
+                                                                  : mirrored(number, 2);
+        samples[i][1] = sequence == KEYWORD_Sequence_random   ? random_next(&state)
+                        : sequence == KEYWORD_Sequence_sobol  ? sobol(number)
+                        : sequence == KEYWORD_Sequence_halton ? mirrored(number, 3)
+                                                              : mirrored(number, 2);
     }
 }
 
-double indirect_sequence_third(Word sequence, int i)
+double indirect_sequence_third(Keyword sequence, int i)
 {
-    return mirrored((unsigned)i, sequence == WORD_Sequence_halton ? 5 : 3);
+    return mirrored((unsigned)i, sequence == KEYWORD_Sequence_halton ? 5 : 3);
 }
 
 int indirect_sequence_edge(const IndirectSequence *of)
 {
-    return of->rotation == WORD_Rotation_blue    ? BLUE_NOISE_EDGE
-           : of->rotation != WORD_Rotation_tile  ? 0
-           : of->sequence == WORD_Sequence_sobol ? INDIRECT_SEQUENCE_TILE
-                                                 : INDIRECT_SEQUENCE_TILE / 2;
+    return of->rotation == KEYWORD_Rotation_blue    ? BLUE_NOISE_EDGE
+           : of->rotation != KEYWORD_Rotation_tile  ? 0
+           : of->sequence == KEYWORD_Sequence_sobol ? INDIRECT_SEQUENCE_TILE
+                                                    : INDIRECT_SEQUENCE_TILE / 2;
 }
 
 /* Interleaves the bits of x and y (Morton order): aligned blocks of 2 x 2, 4 x 4, ... pixels
@@ -106,10 +106,10 @@ void indirect_sequence_shift(const IndirectSequence *of, int x, int y, double sh
     const int edge = indirect_sequence_edge(of);
     for (int i = 0; i < 3; i++)
         shift[i] = 0;
-    for (int i = 0; i < 3 && of->rotation == WORD_Rotation_blue; i++)
+    for (int i = 0; i < 3 && of->rotation == KEYWORD_Rotation_blue; i++)
         shift[i] = (blue_noise_rank((x + beside[i][0]) % edge, (y + beside[i][1]) % edge) + .5) /
                    (edge * edge);
-    if (of->rotation == WORD_Rotation_tile)
-        (of->sequence == WORD_Sequence_sobol ? tile_of_sobol : tile_of_others)(
+    if (of->rotation == KEYWORD_Rotation_tile)
+        (of->sequence == KEYWORD_Sequence_sobol ? tile_of_sobol : tile_of_others)(
             of, (unsigned)(x % edge), (unsigned)(y % edge), shift);
 }

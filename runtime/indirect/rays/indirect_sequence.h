@@ -27,15 +27,15 @@
 enum { INDIRECT_SEQUENCE_TILE = 8 };
 
 typedef struct {
-    Word sequence, rotation;
+    Keyword sequence, rotation;
     int count; /* samples per pixel */
 } IndirectSequence;
 
 /* Computes `count` samples of the unit square. */
-void indirect_sequence_samples(Word sequence, int count, double (*samples)[2]);
+void indirect_sequence_samples(Keyword sequence, int count, double (*samples)[2]);
 /* Returns the third coordinate of sample i, for samples of a cube: radical inverse in base 5 for
  * Halton's sequence, else in base 3. */
-double indirect_sequence_third(Word sequence, int i);
+double indirect_sequence_third(Keyword sequence, int i);
 /* Returns the period of the shifts in pixels; 0: shifts are not in a table. */
 int indirect_sequence_edge(const IndirectSequence *of);
 /* Returns the number of Sobol's samples reserved for a pixel: the count, rounded up to a power

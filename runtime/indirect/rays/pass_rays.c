@@ -40,7 +40,7 @@ static void pass_rays_place(Renderer *renderer)
  * trace all rays of a vector as far as the longest; equal directions make their lengths similar. */
 static bool is_alike(const Renderer *renderer)
 {
-    return renderer->scene->indirect.rotation == WORD_Rotation_tile;
+    return renderer->scene->indirect.rotation == KEYWORD_Rotation_tile;
 }
 
 /* Adds the GLSL of pixel positions and voxels. */

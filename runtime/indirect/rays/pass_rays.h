@@ -4,7 +4,7 @@
 #include "runtime/frame_graph/frame_pass.h"
 #include "runtime/indirect/settings/indirect.h"
 
-enum { INDIRECT_RAYS_MOST = 128 };
+enum { INDIRECT_RAYS_MAX = 128 };
 
 /* Traces rays; the second function those of a further bounce, from light in the target open. */
 void pass_rays_draw(Renderer *renderer);
@@ -39,7 +39,7 @@ void indirect_around_bind(const Renderer *renderer, int unit);
 
 /* -- Opaque infinite planes, which the voxels do not hold. indirect_planes.c */
 
-enum { INDIRECT_PLANES_MOST = 16, INDIRECT_PLANES_DEFINITION = 48 };
+enum { INDIRECT_PLANES_MAX = 16, INDIRECT_PLANES_DEFINITION = 48 };
 int indirect_planes_count(const Renderer *renderer);
 /* Writes the definition of the planes' count; "" without planes. */
 void indirect_planes_define(const Renderer *renderer, char text[INDIRECT_PLANES_DEFINITION]);

@@ -4,7 +4,7 @@
 #include "runtime/indirect/settings/indirect_method.h"
 
 const IndirectMethod indirect_screen = {
-    .word = WORD_Indirect_screen,
+    .word = KEYWORD_Indirect_screen,
     .automatic = true,
     .one_shift = true,
     .steps = 8,

@@ -33,7 +33,7 @@ bool indirect_is_repeated(const Renderer *renderer)
 bool indirect_is_smoothed(const Renderer *renderer)
 {
     const SceneIndirect *in = &renderer->scene->indirect;
-    const bool filtered = in->filter != WORD_Filter_none;
+    const bool filtered = in->filter != KEYWORD_Filter_none;
     return indirect_is(renderer) && !indirect_shows(renderer, "visibility") &&
            (in->coarse > 1 || indirect_is_repeated(renderer) || filtered ||
             indirect_keeps(renderer) || indirect_moving(renderer));
@@ -47,8 +47,9 @@ bool indirect_reads_radiance(const Renderer *renderer)
 bool indirect_reads_voxels(const Renderer *renderer)
 {
     const unsigned reads = indirect_is(renderer) ? indirect_method(renderer)->reads : 0;
-    return reads & INDIRECT_READS_voxels || (reads & INDIRECT_READS_voxels_by_march &&
-                                             renderer->scene->indirect.march == WORD_March_voxels);
+    return reads & INDIRECT_READS_voxels ||
+           (reads & INDIRECT_READS_voxels_by_march &&
+            renderer->scene->indirect.march == KEYWORD_March_voxels);
 }
 
 int indirect_coarse(const Renderer *renderer)

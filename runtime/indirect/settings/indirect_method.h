@@ -13,7 +13,7 @@ typedef enum {
 } IndirectReads;
 
 typedef struct {
-    Word word;       /* keyword of the list Indirect */
+    Keyword word;    /* keyword of the list Indirect */
     bool automatic;  /* `auto` selects the first such row that the scene and the driver support */
     unsigned reads;  /* a set of IndirectReads */
     bool unlit;      /* finds ambient occlusion, but no light */

@@ -110,7 +110,7 @@ static void use_layers(const Renderer *renderer, GLuint texture, int level, int 
     const GlContext *gl = renderer->gl;
     const int size = renderer->voxels->grid.size >> level;
     gl->BindFramebuffer(GL_FRAMEBUFFER, renderer->voxels->framebuffer);
-    for (int i = 0; i < VOXELS_LAYERS_MOST; i++)
+    for (int i = 0; i < VOXELS_LAYERS_MAX; i++)
         gl->FramebufferTextureLayer(GL_FRAMEBUFFER, buffers[i], i < count ? texture : 0, level,
                                     i < count ? first + i : 0);
     gl->DrawBuffers(count, buffers);
@@ -171,8 +171,8 @@ static void draw_surface(Renderer *renderer)
     const GlContext *gl = renderer->gl;
     FrameVoxels *voxels = renderer->voxels;
     const int words = voxels->grid.size / WORD;
-    for (int first = 0; first < words; first += VOXELS_LAYERS_MOST) {
-        const int count = words - first < VOXELS_LAYERS_MOST ? words - first : VOXELS_LAYERS_MOST;
+    for (int first = 0; first < words; first += VOXELS_LAYERS_MAX) {
+        const int count = words - first < VOXELS_LAYERS_MAX ? words - first : VOXELS_LAYERS_MAX;
         use_layers(renderer, voxels->surface, 0, first, count);
         for (int layer = 0; layer < count; layer++)
             gl->ClearBufferuiv(GL_COLOR, layer, (const GLuint[4]){0});

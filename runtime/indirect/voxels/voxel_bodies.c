@@ -125,7 +125,7 @@ static double stretch(const SceneMatrix *world_from_local)
 
 bool voxel_bodies_is_body(const FrameVoxels *voxels, int place)
 {
-    return voxels->waves[place] && voxels->waves[place] <= VOXELS_WAVES_MOST;
+    return voxels->waves[place] && voxels->waves[place] <= VOXELS_WAVES_MAX;
 }
 
 /* Alpha-tested surfaces evaluate their material, and triangles displaced on the GPU exist only
@@ -215,7 +215,7 @@ static int axis_of(const Body *bodies, int count)
  * Removes boxes from the sweep's list that end before this body. */
 static int wave_of(const FrameVoxels *voxels, const Body *body, int axis, Body *list, int *count)
 {
-    const unsigned all = (1u << VOXELS_WAVES_MOST) - 1;
+    const unsigned all = (1u << VOXELS_WAVES_MAX) - 1;
     unsigned taken = 0;
     int kept = 0, wave = 0;
     for (int i = 0; i < *count; i++) {
@@ -226,9 +226,9 @@ static int wave_of(const FrameVoxels *voxels, const Body *body, int axis, Body *
         list[kept++] = list[i];
     }
     *count = kept;
-    while (wave < VOXELS_WAVES_MOST && taken >> wave & 1)
+    while (wave < VOXELS_WAVES_MAX && taken >> wave & 1)
         wave++;
-    return wave < VOXELS_WAVES_MOST ? wave + 1 : 0;
+    return wave < VOXELS_WAVES_MAX ? wave + 1 : 0;
 }
 
 bool voxel_bodies_sort(const Renderer *renderer, FrameVoxels *voxels)

@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { PLACES, VERTICES, INDICES, GROUP = 64, GROUPS_MOST = 4096, PLACES_MOST = 65535, ROWS = 3 };
+enum { PLACES, VERTICES, INDICES, GROUP = 64, GROUPS_MAX = 4096, PLACES_MAX = 65535, ROWS = 3 };
 
 bool voxel_fine_make(Renderer *renderer)
 {
@@ -52,11 +52,11 @@ static void touch(Renderer *renderer, int mesh, int count)
     gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, PLACES, voxels->fine_places);
     gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, VERTICES, drawn->buffers[0]);
     gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, INDICES, drawn->buffers[1]);
-    gl->DispatchCompute(groups < GROUPS_MOST ? groups : GROUPS_MOST, (GLuint)count, 1);
+    gl->DispatchCompute(groups < GROUPS_MAX ? groups : GROUPS_MAX, (GLuint)count, 1);
 }
 
 /* Draws all places with fine triangles. cast_order is sorted by mesh, so instances of a mesh are
- * drawn together, at most PLACES_MOST at once. */
+ * drawn together, at most PLACES_MAX at once. */
 void voxel_fine_draw(Renderer *renderer)
 {
     const GpuScene *gpu_scene = &renderer->gpu_scene;
@@ -71,7 +71,7 @@ void voxel_fine_draw(Renderer *renderer)
         if (voxels->waves[gpu_scene->cast_order[i]] == VOXELS_FINE)
             put_place(&voxels->grid, &renderer->scene->objects[place->object].world_from_local,
                       voxels->fine_rows[count++]);
-        if (count && (ends || count == PLACES_MOST)) {
+        if (count && (ends || count == PLACES_MAX)) {
             touch(renderer, place->mesh, count);
             count = 0;
         }

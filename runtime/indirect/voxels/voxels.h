@@ -12,10 +12,10 @@
 #include "runtime/frame_graph/renderer_options.h"
 
 enum {
-    VOXELS_LAYERS_MOST = 4,
-    VOXELS_LEVELS_MOST = 10,
-    VOXELS_WAVES_MOST = 8,
-    VOXELS_FINE = VOXELS_WAVES_MOST + 1
+    VOXELS_LAYERS_MAX = 4,
+    VOXELS_LEVELS_MAX = 10,
+    VOXELS_WAVES_MAX = 8,
+    VOXELS_FINE = VOXELS_WAVES_MAX + 1
 };
 
 /* A cube of voxels around all objects, with at least one empty layer on each side. */

@@ -278,7 +278,7 @@ static void pass_volume_draw(Renderer *renderer)
     gl->ActiveTexture(GL_TEXTURE0);
     gl->BindTexture(GL_TEXTURE_2D_ARRAY, renderer->shadows->maps);
     for (int i = 0; i < renderer->scene->light_count; i++)
-        if (renderer->scene->lights[i].shadows == WORD_Shadows_hybrid) {
+        if (renderer->scene->lights[i].shadows == KEYWORD_Shadows_hybrid) {
             count_faces(renderer, &renderer->shadows->views.lights[i]);
             mark(renderer, number++);
         }

@@ -17,7 +17,7 @@ typedef struct {
     Material *shown; /* like sheets, for a debug view; NULL: none */
     int view_count, light_count;
     GLuint array; /* vertex array without attributes, for caps and cells */
-    Word path;    /* path of volume_data.c, like the members below; never auto */
+    Keyword path; /* path of volume_data.c, like the members below; never auto */
     GLuint *arrays;
     int array_count;          /* number of arrays: 1, or the number of hybrid views */
     GLuint indices, vertices; /* 0: vertices read the depth map */
@@ -31,12 +31,12 @@ typedef struct {
 
 static inline FrameVolumes *volume_state(const Renderer *renderer)
 {
-    return shadow_method_state(renderer, WORD_Shadows_hybrid);
+    return shadow_method_state(renderer, KEYWORD_Shadows_hybrid);
 }
 /* Returns the number of lights with hybrid shadows. */
 static inline int volume_lights_count(const Renderer *renderer)
 {
-    return shadow_method_lights(renderer, WORD_Shadows_hybrid);
+    return shadow_method_lights(renderer, KEYWORD_Shadows_hybrid);
 }
 /* Returns whether some light casts hybrid shadows, and some object does. */
 static inline bool volume_lights_cast(const Renderer *renderer)
@@ -46,7 +46,7 @@ static inline bool volume_lights_cast(const Renderer *renderer)
 /* Returns whether the view belongs to a light with hybrid shadows. */
 static inline bool volume_has_view(const Renderer *renderer, int view)
 {
-    return renderer->shadows->views.views[view].method->word == WORD_Shadows_hybrid;
+    return renderer->shadows->views.views[view].method->word == KEYWORD_Shadows_hybrid;
 }
 
 /* -- Depth blurring, for `volume: blurred` (volume_blur.c) ------------------------------------- */

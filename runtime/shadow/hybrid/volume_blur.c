@@ -11,7 +11,7 @@ bool volume_blur_make(Renderer *renderer)
     const int size = renderer->scene->shadow_size;
     const ProgramText text = {.vertex = {"#version 330 core\n", screen_text},
                               .fragment = {"#version 330 core\n", render_text_volume_blur}};
-    if (renderer->scene->shadow_volume != WORD_Volume_blurred || !volume_lights_cast(renderer))
+    if (renderer->scene->shadow_volume != KEYWORD_Volume_blurred || !volume_lights_cast(renderer))
         return true;
     volumes->sharp = framebuffer_target(gl, &(TargetSpec){size, size, "DEPTH32F"});
     return volumes->sharp && material_make(renderer->store, NULL, &text, &volumes->blur);

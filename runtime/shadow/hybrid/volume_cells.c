@@ -28,7 +28,7 @@ static const char maps_text[] =
 
 bool volume_cells_are(const Renderer *renderer)
 {
-    return renderer->scene->shadow_volume == WORD_Volume_silhouette;
+    return renderer->scene->shadow_volume == KEYWORD_Volume_silhouette;
 }
 
 static int views_of(const Renderer *renderer)
@@ -58,7 +58,7 @@ static bool check(const Renderer *renderer)
     GlContext *gl = renderer->gl;
     const size_t bytes = volume_cells_bytes(renderer), most = transparency_most_bytes(renderer);
     GLint blocks = 0;
-    if (volume_state(renderer)->path != WORD_Path_compute)
+    if (volume_state(renderer)->path != KEYWORD_Path_compute)
         return gl_fail(gl, "shadow volumes that silhouettes cut come by the path compute, or auto");
     if (!gl->DrawArraysIndirect || !gl->DispatchCompute)
         return gl_fail(gl, "shadow volumes that silhouettes cut take OpenGL 4.5");
@@ -181,7 +181,7 @@ void volume_cells_draw(const Renderer *renderer, int view, int number)
 
 void volume_cells_draw_all(const Renderer *renderer, int view, int number)
 {
-    enum { VERTICES = 30 /* VERTICES: vertices of a cell's VOLUME_MOST triangles */ };
+    enum { VERTICES = 30 /* VERTICES: vertices of a cell's VOLUME_MAX triangles */ };
     bind(renderer);
     renderer->gl->BindVertexArray(volume_state(renderer)->array);
     set_cells(renderer, view, &volume_state(renderer)->shown[view], (int[]){number, 0});

@@ -21,7 +21,7 @@
 //
 // VOLUME_DEPTHS and VOLUME_CROSSINGS are array textures: depths, and the bytes of
 // silhouette_pack.glsl; `layers` are a map's layers in both.
-const int VOLUME_MOST = 10; // max triangles of a cell
+const int VOLUME_MAX = 10; // max triangles of a cell
 const int VOLUME_TRIANGLES[7] = int[7](2, 4, 4, 6, 6, 8, 10);
 const int VOLUME_CORNERS[210] = int[210](
     // no crossing on any segment
@@ -130,7 +130,7 @@ ivec2 volumeParted(ivec2 layers, ivec2 cell, int crossed)
 // depth.
 vec3 volumeCorner(ivec2 layers, ivec2 cell, ivec2 parted, int number)
 {
-    int label = (VOLUME_CORNERS[parted.x * 3 * VOLUME_MOST + number] + 3 * parted.y) % 12, i = label / 3;
+    int label = (VOLUME_CORNERS[parted.x * 3 * VOLUME_MAX + number] + 3 * parted.y) % 12, i = label / 3;
     if (label % 3 == 0) {
         ivec2 texel = cell + volumeCentre(i);
         return vec3(texel, volumeCellDepth(layers, texel));

@@ -65,7 +65,7 @@ static GLsizei put_corners(GLuint *indices, GLuint size)
 
 static bool is_perfect(const Renderer *renderer)
 {
-    return renderer->scene->shadow_volume == WORD_Volume_perfect;
+    return renderer->scene->shadow_volume == KEYWORD_Volume_perfect;
 }
 
 static bool has_compute(const GlContext *gl)
@@ -78,15 +78,15 @@ static bool has_compute(const GlContext *gl)
  * diagonals. */
 static bool writes_indices(const Renderer *renderer)
 {
-    return volume_state(renderer)->path == WORD_Path_compute && is_perfect(renderer);
+    return volume_state(renderer)->path == KEYWORD_Path_compute && is_perfect(renderer);
 }
 
 static size_t vertices_of(const Renderer *renderer)
 {
     const size_t size = (size_t)renderer->scene->shadow_size;
-    if (volume_state(renderer)->path == WORD_Path_fetch)
+    if (volume_state(renderer)->path == KEYWORD_Path_fetch)
         return 0;
-    return is_perfect(renderer) && volume_state(renderer)->path == WORD_Path_copy
+    return is_perfect(renderer) && volume_state(renderer)->path == KEYWORD_Path_copy
                ? 4 * (size - 1) * (size - 1)
                : size * size;
 }
@@ -111,28 +111,28 @@ static bool choose(Renderer *renderer)
     const size_t most = (size_t)VOLUME_AUTO_MIB << 20;
     FrameVolumes *volumes = volume_state(renderer);
     volumes->path = renderer->scene->shadow_path;
-    if (volumes->path == WORD_Path_compute && !has_compute(renderer->gl))
+    if (volumes->path == KEYWORD_Path_compute && !has_compute(renderer->gl))
         return gl_fail(renderer->gl, "shadow volumes by compute take OpenGL 4.3");
-    if (volumes->path != WORD_Path_auto)
+    if (volumes->path != KEYWORD_Path_auto)
         return true;
-    volumes->path = WORD_Path_compute;
+    volumes->path = KEYWORD_Path_compute;
     if (volume_cells_are(renderer))
         return true;
     if (!has_compute(renderer->gl) || bytes_of(renderer) > most)
-        volumes->path = WORD_Path_fetch;
+        volumes->path = KEYWORD_Path_fetch;
     return true;
 }
 
 const char *volume_data_text(const Renderer *renderer, bool shown)
 {
-    const Word path = volume_state(renderer)->path;
+    const Keyword path = volume_state(renderer)->path;
     if (volume_cells_are(renderer))
         return volume_cells_head(!shown);
-    if (path == WORD_Path_copy)
+    if (path == KEYWORD_Path_copy)
         return is_perfect(renderer) ? "#define CORNERS\n" : "#define DEPTHS\n";
-    return path == WORD_Path_compute ? "#define DEPTHS\n"
-           : is_perfect(renderer)    ? "#define QUADS\n"
-                                     : "";
+    return path == KEYWORD_Path_compute ? "#define DEPTHS\n"
+           : is_perfect(renderer)       ? "#define QUADS\n"
+                                        : "";
 }
 
 /* -- buffers */
@@ -149,7 +149,7 @@ static bool make_indices(Renderer *renderer)
         return gl_fail(gl, "out of memory");
     if (!is_perfect(renderer))
         volumes->index_count = put_strips(indices, size);
-    else if (volumes->path == WORD_Path_copy)
+    else if (volumes->path == KEYWORD_Path_copy)
         volumes->index_count = put_corners(indices, size);
     else
         volumes->index_count = put_quads(indices, size);
@@ -223,9 +223,9 @@ static bool make_writer(Renderer *renderer)
         .vertex = {"#version 330 core\n", screen_text},
         .fragment = {"#version 330 core\n", render_text_shadow_volume, render_text_volume_corners}};
     const int edge = 2 * (renderer->scene->shadow_size - 1);
-    if (volumes->path == WORD_Path_compute)
+    if (volumes->path == KEYWORD_Path_compute)
         return material_make(renderer->store, NULL, &compute, &volumes->writer);
-    if (volumes->path == WORD_Path_fetch || !is_perfect(renderer))
+    if (volumes->path == KEYWORD_Path_fetch || !is_perfect(renderer))
         return true;
     if (edge > renderer->gl->max_texture_size)
         return gl_fail(renderer->gl,
@@ -292,7 +292,7 @@ static void compute(Renderer *renderer, int view, int number)
 void volume_data_write(Renderer *renderer)
 {
     const GlContext *gl = renderer->gl;
-    const Word path = volume_state(renderer)->path;
+    const Keyword path = volume_state(renderer)->path;
     int number = 0;
     if (volume_state(renderer)->cells)
         volume_cells_write(renderer);
@@ -304,7 +304,7 @@ void volume_data_write(Renderer *renderer)
         if (!volume_has_view(renderer, view))
             continue;
         const size_t first = (size_t)number * vertices_of(renderer);
-        if (path == WORD_Path_compute)
+        if (path == KEYWORD_Path_compute)
             compute(renderer, view, number);
         else if (is_perfect(renderer))
             copy_corners(renderer, view, first);
@@ -312,7 +312,7 @@ void volume_data_write(Renderer *renderer)
             copy_depths(renderer, view, first);
         number++;
     }
-    if (path == WORD_Path_compute)
+    if (path == KEYWORD_Path_compute)
         gl->MemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_ELEMENT_ARRAY_BARRIER_BIT);
 }
 
@@ -351,7 +351,7 @@ void volume_data_put(Text *out, const Renderer *renderer)
                     (unsigned long)volume_cells_bytes(renderer));
     if (volume_state(renderer)->arrays)
         text_format(out, "shadow    volumes by the path %s: %lu bytes\n",
-                    word_table[volume_state(renderer)->path].name,
+                    keyword_table[volume_state(renderer)->path].name,
                     (unsigned long)bytes_of(renderer));
 }
 

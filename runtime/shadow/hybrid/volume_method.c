@@ -7,7 +7,10 @@
 
 enum { COMPONENT_LIGHTS = 8 /* bits per component of the mask */ };
 
-static bool crossed(const Scene *scene) { return scene->shadow_volume == WORD_Volume_silhouette; }
+static bool crossed(const Scene *scene)
+{
+    return scene->shadow_volume == KEYWORD_Volume_silhouette;
+}
 
 /* Returns the formats of targets: depth with a stencil, and a mask with a bit for each light. */
 static const char *target(const Renderer *renderer, FrameTarget target)
@@ -29,7 +32,7 @@ static void draw(Renderer *renderer, const GpuSceneSource *source, int view)
 {
     const GlContext *gl = renderer->gl;
     const Scene *scene = renderer->scene;
-    const bool blurred = scene->shadow_volume == WORD_Volume_blurred;
+    const bool blurred = scene->shadow_volume == KEYWORD_Volume_blurred;
     const int inner = scene->shadow_size - 2;
     if (blurred) {
         volume_blur_use(renderer);
@@ -69,7 +72,7 @@ static void write_text(const Renderer *renderer, bool nearest, ShadowMethodText 
     snprintf(made->defined, sizeof made->defined,
              "#define SHADOW_APART\n%s%s#define SHADOW_QUADS %s\n#define SHADOW_STRETCHED %s\n",
              nearest ? "#define SHADOW_MASK\n" : "", cells_text(renderer, nearest),
-             renderer->scene->shadow_volume == WORD_Volume_perfect ? "true" : "false",
+             renderer->scene->shadow_volume == KEYWORD_Volume_perfect ? "true" : "false",
              renderer->scene->shadow_stretched ? "true" : "false");
     made->texts[0] = render_text_shadow_volume;
     made->texts[1] = render_text_volume_share;
@@ -84,7 +87,7 @@ static void bind(const Renderer *renderer, int unit)
 }
 
 /* Selects a variant: one for each kind of volume. */
-static bool vary(Scene *scene, Word variant)
+static bool vary(Scene *scene, Keyword variant)
 {
     if (!scene_volume_name(variant))
         return false;
@@ -94,7 +97,7 @@ static bool vary(Scene *scene, Word variant)
 
 extern const ShadowMethod shadow_hybrid;
 const ShadowMethod shadow_hybrid = {
-    .word = WORD_Shadows_hybrid,
+    .word = KEYWORD_Shadows_hybrid,
     .state = sizeof(FrameVolumes),
     .beside = true,
     .meshes = true,

@@ -2,7 +2,7 @@
 // triangulation a corner of a quad, four each. CAP: a vertex of a fan that closes the volume at
 // infinity, over the map's border. DEPTHS: its depth is an attribute. CORNERS: the same with four
 // vertices per quad, and a negative depth marks a turned quad (volume_corners.glsl). CELLS: a
-// corner of a cell's triangles (volume_cells.glsl), for all cells with VOLUME_MOST triangles each;
+// corner of a cell's triangles (volume_cells.glsl), for all cells with VOLUME_MAX triangles each;
 // with LISTED, for the cells in a list (volume_list.glsl). Missing triangles of a cell are
 // degenerate.
 #ifndef CELLS
@@ -56,7 +56,7 @@ ivec2 volumeBorder(int k)
 #ifdef CELLS
 vec3 volumeVertex()
 {
-    int row = int(volume_map.y) - 1, most = 3 * VOLUME_MOST;
+    int row = int(volume_map.y) - 1, most = 3 * VOLUME_MAX;
     bool cut = true; // crossings are possible
 #ifdef LISTED
     cut = volume_cells.z > 0.0;

@@ -15,9 +15,9 @@ enum {
     EXTENTS_BINDING,
     GROUP = 64,
     SQUARE = 8,
-    MOST_GROUPS = 65535
+    MAX_GROUPS = 65535
 };
-enum { MOST_EDGES = MOST_GROUPS * GROUP /* limit of one dispatch */ };
+enum { MAX_EDGES = MAX_GROUPS * GROUP /* limit of one dispatch */ };
 
 int silhouette_layer(const Renderer *renderer, int view)
 {
@@ -60,7 +60,7 @@ static int put_edges(const EdgeMesh *mesh, SilhouetteEdge *edges)
 static bool add_mesh(Silhouettes *made, const EdgeMesh *mesh, int number, SilhouetteEdge **edges)
 {
     const size_t most = (size_t)made->edge_count + 2 * (size_t)mesh->count;
-    SilhouetteEdge *grown = most <= MOST_EDGES ? realloc(*edges, most * sizeof *grown + 1) : NULL;
+    SilhouetteEdge *grown = most <= MAX_EDGES ? realloc(*edges, most * sizeof *grown + 1) : NULL;
     if (!grown)
         return false;
     *edges = grown;
@@ -114,7 +114,7 @@ static bool make_edges(Renderer *renderer, Silhouettes *made)
     if (!made->meshes || !gather_edges(renderer, made, &edges)) {
         free(edges);
         return gl_fail(renderer->gl, "out of memory, or more than %d edges for shadows: silhouette",
-                       (int)MOST_EDGES);
+                       (int)MAX_EDGES);
     }
     made->edges = make_buffer(renderer, edges, (size_t)made->edge_count * sizeof *edges + 1);
     free(edges);
@@ -219,8 +219,8 @@ static void find_of_mesh(Renderer *renderer, const SilhouetteMesh *mesh, int fir
 {
     Silhouettes *made = silhouette_state(renderer);
     const GLuint groups = ((GLuint)mesh->count + GROUP - 1) / GROUP;
-    for (int done = 0; groups && done < count; done += MOST_GROUPS) {
-        const int next = count - done < MOST_GROUPS ? count - done : MOST_GROUPS;
+    for (int done = 0; groups && done < count; done += MAX_GROUPS) {
+        const int next = count - done < MAX_GROUPS ? count - done : MAX_GROUPS;
         const float run[3] = {(float)mesh->first, (float)mesh->count, (float)(first + done)};
         material_set(&made->find, &(MaterialValue){"silhouette_run", 3, run});
         material_use(&made->find);

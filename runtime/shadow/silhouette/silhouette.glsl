@@ -51,7 +51,7 @@ bool silhouetteCovers(bvec2 low, bvec2 high, vec4 cut, vec2 point)
 
 #ifdef SHADOW_SILHOUETTES // follows shadow.glsl
 // bias perpendicular to the plane, in texels
-const float SILHOUETTE_LEAST = 1.0 / 16.0, SILHOUETTE_MOST = 1.0 / 4.0;
+const float SILHOUETTE_MIN = 1.0 / 16.0, SILHOUETTE_MAX = 1.0 / 4.0;
 const float SILHOUETTE_TILT = 0.005, SILHOUETTE_STEEPEST = 4096.0;
 
 // A point in a view: its position there, and the change of depth per texel on its plane.
@@ -88,7 +88,7 @@ vec4 silhouetteFree(SilhouettePlace place, vec2 part, vec4 depths, float pixel)
     vec4 x = vec4(0.0, 1.0, 1.0, 0.0) - part.x, y = vec4(1.0, 1.0, 0.0, 0.0) - part.y;
     float steep = length(place.slope) / place.texel, square = 1.0 + steep * steep;
     // along the light 1, clamped to both bounds
-    float lift = clamp(inversesqrt(square), SILHOUETTE_LEAST, SILHOUETTE_MOST) + pixel / 64.0;
+    float lift = clamp(inversesqrt(square), SILHOUETTE_MIN, SILHOUETTE_MAX) + pixel / 64.0;
     vec4 bias = lift * sqrt(square) + min(SILHOUETTE_TILT * square, max(steep, 0.25)) * sqrt(x * x + y * y);
     vec4 off = depths - place.depth - place.slope.x * x - place.slope.y * y;
     // 0: empty texel

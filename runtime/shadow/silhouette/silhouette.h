@@ -25,7 +25,7 @@ typedef struct {
 
 static inline Silhouettes *silhouette_state(const Renderer *renderer)
 {
-    return shadow_method_state(renderer, WORD_Shadows_silhouette);
+    return shadow_method_state(renderer, KEYWORD_Shadows_silhouette);
 }
 /* Returns the number of views with crossings. */
 int silhouette_layers(const Renderer *renderer);

@@ -15,7 +15,7 @@ static bool crossed(const Scene *scene)
 
 static bool seen_wanted(const Renderer *renderer)
 {
-    return shadow_method_lights(renderer, WORD_Shadows_silhouette) > 0 &&
+    return shadow_method_lights(renderer, KEYWORD_Shadows_silhouette) > 0 &&
            shadow_seen_fits(renderer) && renderer->gl->major * 10 + renderer->gl->minor >= 45 &&
            shadow_shows_light(renderer);
 }
@@ -34,7 +34,7 @@ static bool has_views(const Renderer *renderer)
     const ShadowViews *views = &renderer->shadows->views;
     bool has = false;
     for (int i = 0; i < views->count; i++)
-        has |= views->views[i].method->word == WORD_Shadows_silhouette;
+        has |= views->views[i].method->word == KEYWORD_Shadows_silhouette;
     return has;
 }
 
@@ -85,7 +85,7 @@ static void put(Text *out, const Renderer *renderer)
 static const SeenText seen = {.fragment = render_text_triangle_slopes};
 
 const ShadowMethod shadow_silhouette = {
-    .word = WORD_Shadows_silhouette,
+    .word = KEYWORD_Shadows_silhouette,
     .state = sizeof(Silhouettes),
     .triangles = true,
     .beside = true,

@@ -13,17 +13,17 @@ enum { EDGE = 512, FRAMES = 5, TEXT = 2048 };
 
 static const struct {
     const char *name;
-    Word driver; /* whose method it is: into a buffer; 0: the processor's, into a mesh */
+    Keyword driver; /* whose method it is: into a buffer; 0: the processor's, into a mesh */
 } methods[] = {{"mesh", 0},
                {"bisection", 0},
-               {"grid", WORD_Displacing_grid},
-               {"tessellation", WORD_Displacing_tessellation},
-               {"geometry", WORD_Displacing_geometry}};
+               {"grid", KEYWORD_Displacing_grid},
+               {"tessellation", KEYWORD_Displacing_tessellation},
+               {"geometry", KEYWORD_Displacing_geometry}};
 
 /* Seconds that the pass surface takes, at least. */
 static double least_frame(GlContext *gl, Renderer *render)
 {
-    RendererPassTime times[RENDERER_PASSES_MOST];
+    RendererPassTime times[RENDERER_PASSES_MAX];
     double least = INFINITY;
     for (int i = 0; i < FRAMES; i++) {
         gl->Finish();

@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { TEXT = 4096, FRAMES = 5, FRAMES_MOST = 200, ROWS_MOST = 8 };
+enum { TEXT = 4096, FRAMES = 5, FRAMES_MAX = 200, ROWS_MAX = 8 };
 
 /* In the order of a frame: found for each frame; made once for a scene, or its lamps. */
 static const char *const timed_passes[] = {"rays",   "history", "smooth",
@@ -42,7 +42,7 @@ typedef struct {
         /* milliseconds on a GPU of the H100's kind that the first of its rows may take; NAN:
          * nothing is said */
         most;
-    const char *rows[ROWS_MOST]; /* keys */
+    const char *rows[ROWS_MAX]; /* keys */
 } Place;
 
 static const Place places[] = {
@@ -95,7 +95,7 @@ static bool open_row(GlContext *gl, const char *text, const char *view, Row *row
 
 static void time_row(Row *row, bool first)
 {
-    RendererPassTime times[RENDERER_PASSES_MOST];
+    RendererPassTime times[RENDERER_PASSES_MAX];
     for (int count = renderer_time_passes(row->render, times), i = 0; i < count; i++)
         for (int k = 0; k < TIMED; k++)
             if (!strcmp(times[i].name, timed_passes[k]))
@@ -142,14 +142,14 @@ static bool open_keys(GlContext *gl, const IndirectPasses *p, const Place *place
 
 static bool measure(GlContext *gl, const IndirectPasses *p, const Place *place, Row *march)
 {
-    Row rows[ROWS_MOST] = {{0}};
+    Row rows[ROWS_MAX] = {{0}};
     bool fine = true;
     int count = 0;
-    for (; fine && count < ROWS_MOST && place->rows[count]; count++)
+    for (; fine && count < ROWS_MAX && place->rows[count]; count++)
         fine = open_keys(gl, p, place, place->rows[count], &rows[count]);
     const double enough = 2, start = bench_now();
     for (int i = 0;
-         fine && p->timed && i < FRAMES_MOST && (i < FRAMES || bench_now() < start + enough); i++) {
+         fine && p->timed && i < FRAMES_MAX && (i < FRAMES || bench_now() < start + enough); i++) {
         time_row(march, i == 0);
         for (int k = 0; k < count; k++)
             time_row(&rows[k], i == 0);

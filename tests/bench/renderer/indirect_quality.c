@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { TEXT = 4096, FRAMES = 9, QUALITIES = WORD_Quality_fine - WORD_Quality_draft + 1 };
+enum { TEXT = 4096, FRAMES = 9, QUALITIES = KEYWORD_Quality_fine - KEYWORD_Quality_draft + 1 };
 
 static const char truth_keys[] = "rays: 64, samples: 64, filter: none";
 
@@ -60,7 +60,7 @@ static bool draw(GlContext *gl, const IndirectQuality *q, int view, const char *
 static void time_frame(Drawn *drawn, bool first)
 {
     static const char *const passes[] = {"rays", "history", "smooth", "spread"};
-    RendererPassTime times[RENDERER_PASSES_MOST];
+    RendererPassTime times[RENDERER_PASSES_MAX];
     double sum = 0;
     for (int count = renderer_time_passes(drawn->render, times), i = 0; i < count; i++)
         for (size_t k = 0; k < sizeof passes / sizeof *passes; k++)
@@ -87,15 +87,16 @@ static bool measure(GlContext *gl, const IndirectQuality *q, int view)
     bool fine = draw(gl, q, view, truth_keys, &truth);
     for (int i = 0; fine && i < QUALITIES; i++) {
         char keys[TEXT];
-        snprintf(keys, sizeof keys, "quality: %s", word_table[WORD_Quality_draft + i].name);
+        snprintf(keys, sizeof keys, "quality: %s", keyword_table[KEYWORD_Quality_draft + i].name);
         fine = draw(gl, q, view, keys, &drawn[i]);
     }
     for (int frame = 0; fine && q->timed && frame < FRAMES; frame++)
         for (int i = 0; i < QUALITIES; i++)
             time_frame(&drawn[i], frame == 0);
-    const Drawn *normal = &drawn[WORD_Quality_normal - WORD_Quality_draft];
+    const Drawn *normal = &drawn[KEYWORD_Quality_normal - KEYWORD_Quality_draft];
     for (int i = 0; fine && i < QUALITIES; i++)
-        printf("%-10s %-8s %8.4f %8s\n", views[view].view, word_table[WORD_Quality_draft + i].name,
+        printf("%-10s %-8s %8.4f %8s\n", views[view].view,
+               keyword_table[KEYWORD_Quality_draft + i].name,
                error_of(&drawn[i], &truth, q->edge, views[view].components),
                NUMBER(2, q->timed ? drawn[i].least / normal->least : NAN));
     fflush(stdout);

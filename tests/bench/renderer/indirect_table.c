@@ -14,7 +14,7 @@
 #include <string.h>
 #include <time.h>
 
-enum { TEXT = 8192, KEYS = 512, FRAMES = 2, FRAMES_MOST = 64, BODIES = 6, MESHES = 3 };
+enum { TEXT = 8192, KEYS = 512, FRAMES = 2, FRAMES_MAX = 64, BODIES = 6, MESHES = 3 };
 
 /* -- scenes */
 
@@ -246,7 +246,7 @@ static bool time_frame(const Bench *b, const char *keys, FrameTime *time)
     bool fine = open_drawn(b, keys, NULL, &drawn);
     *time = (FrameTime){INFINITY, INFINITY};
     const double enough = .2, start = bench_now();
-    for (int i = 0; fine && i < FRAMES_MOST && (i < FRAMES || bench_now() < start + enough); i++) {
+    for (int i = 0; fine && i < FRAMES_MAX && (i < FRAMES || bench_now() < start + enough); i++) {
         b->gl->Finish();
         const double begin = bench_now();
         const clock_t used = clock();

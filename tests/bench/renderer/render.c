@@ -15,12 +15,12 @@
 enum {
     FORWARD_PROGRAMS = 120, /* more are not compiled: a driver takes minutes for them */
     UNTIMED_PROGRAMS = 10,
-    MOST_ROWS = 12
+    MAX_ROWS = 12
 };
 
 typedef struct {
     const char *name, *what;
-    int counts[MOST_ROWS]; /* 0 behind the last */
+    int counts[MAX_ROWS]; /* 0 behind the last */
     void (*write)(Text *out, int count);
     bool programs; /* so many, for the forward renderer */
     bool bounded;  /* also with far lights taken together */
@@ -143,7 +143,7 @@ static bool measure_series(const Bench *bench, const Series *of)
     double first[BENCH_WAYS] = {0};
     bool fine = true;
     put_head(of);
-    for (int i = 0; fine && i < MOST_ROWS && of->counts[i]; i++) {
+    for (int i = 0; fine && i < MAX_ROWS && of->counts[i]; i++) {
         Row row = {of->counts[i], {{NAN, NAN}, {NAN, NAN}, {NAN, NAN}}, NAN};
         fine = measure_row(bench, of, &row);
         for (int way = 0; way < BENCH_WAYS; way++)

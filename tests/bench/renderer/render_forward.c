@@ -19,9 +19,9 @@
 #include <string.h>
 
 enum {
-    MOST_LIGHTS = 1024,
+    MAX_LIGHTS = 1024,
     LIGHT_FLOATS = 8,
-    LIGHTS_BYTES = MOST_LIGHTS * LIGHT_FLOATS * (int)sizeof(float)
+    LIGHTS_BYTES = MAX_LIGHTS * LIGHT_FLOATS * (int)sizeof(float)
 };
 
 static const char layout_text[] =
@@ -159,8 +159,8 @@ static bool make_blocks(Forward *f)
 {
     ForwardBlock *block = &f->block;
     float around[VIEW_SPACE_AROUND][4];
-    if (f->scene->light_count > MOST_LIGHTS)
-        return gl_fail(f->gl, "the forward renderer has room for %d lights", MOST_LIGHTS);
+    if (f->scene->light_count > MAX_LIGHTS)
+        return gl_fail(f->gl, "the forward renderer has room for %d lights", MAX_LIGHTS);
     f->lights = calloc(1, LIGHTS_BYTES);
     if (!f->lights)
         return gl_fail(f->gl, "out of memory");

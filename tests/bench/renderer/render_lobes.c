@@ -76,7 +76,7 @@ static double processor_seconds(void)
  * which other programs have little effect. */
 static double light_seconds(const Bench *bench, BenchScene *scene)
 {
-    RendererPassTime times[RENDERER_PASSES_MOST];
+    RendererPassTime times[RENDERER_PASSES_MAX];
     if (!bench->gl->hardware) {
         const double start = processor_seconds();
         renderer_frame(scene->render);

@@ -23,7 +23,7 @@ static const Whole wholes[] = {
 enum { WHOLES = sizeof wholes / sizeof *wholes };
 
 typedef struct {
-    RendererPassTime passes[RENDERER_PASSES_MOST];
+    RendererPassTime passes[RENDERER_PASSES_MAX];
     int count, bytes, fragment_bytes;
 } WholeTimes;
 
@@ -119,7 +119,7 @@ static bool measure_layers(const Bench *bench, int layers, const char *way)
     static const char *const parts[][2] = {
         {"lists", NULL}, {"blend", NULL}, {"peel", NULL}, {"lists", "blend"}};
     Bench square = *bench;
-    RendererPassTime passes[RENDERER_PASSES_MOST];
+    RendererPassTime passes[RENDERER_PASSES_MAX];
     Arena arena = {0};
     Text text = text_new(&arena);
     BenchScene scene = {0};

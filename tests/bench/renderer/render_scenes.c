@@ -107,7 +107,7 @@ void scenes_lights(Text *out, int count)
                   "objects:\n- { object: Parallelogram, u: [200, 0, 0], v: [0, 200, 0], material: "
                   "floor, transform: { "
                   "translation: [-100, -100, 0] } }\n");
-    for (int i = 0; i < SCENES_MOST_LIGHTS; i++) {
+    for (int i = 0; i < SCENES_MAX_LIGHTS; i++) {
         text_put(out,
                  "- { object: Box, size: [.4, .4, .4], material: box, transform: { translation: ");
         put_cell(out, i, .2);

@@ -3,7 +3,7 @@
 #define RENDER_SCENES_H
 #include "compiler/base/text.h"
 
-enum { SCENES_QUADS = 2000, SCENES_MOST_LIGHTS = 1024 };
+enum { SCENES_QUADS = 2000, SCENES_MAX_LIGHTS = 1024 };
 
 /* 2,000 parallelograms beside each other, two lights; `count` checkers that differ in colour and
  * scale, in turns. */

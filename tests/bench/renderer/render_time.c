@@ -6,7 +6,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { MOST_FRAMES = 64, FEWEST_FRAMES = 3 };
+enum { MAX_FRAMES = 64, FEWEST_FRAMES = 3 };
 
 static bool reported(const char *why) { return fprintf(stderr, "matbench: %s\n", why) < 0; }
 
@@ -100,7 +100,7 @@ static BenchTimes times_of(double *seconds, int count)
 
 bool bench_scene_time(const Bench *bench, BenchScene *scene, BenchTimes times[BENCH_WAYS])
 {
-    double seconds[BENCH_WAYS][MOST_FRAMES];
+    double seconds[BENCH_WAYS][MAX_FRAMES];
     const double end = bench_now() + bench->seconds;
     int count = 0, frames[BENCH_WAYS] = {0};
     bench->gl->Finish();
@@ -108,7 +108,7 @@ bool bench_scene_time(const Bench *bench, BenchScene *scene, BenchTimes times[BE
         if (draws(scene, way))
             /* the first frame was drawn when the scene was opened */
             frames[way] = frames_of(bench, scene, way);
-    for (; count < MOST_FRAMES && (count < FEWEST_FRAMES || bench_now() < end); count++)
+    for (; count < MAX_FRAMES && (count < FEWEST_FRAMES || bench_now() < end); count++)
         for (int way = 0; way < BENCH_WAYS; way++)
             if (draws(scene, way))
                 seconds[way][count] = draw(bench, scene, way, frames[way]);
@@ -118,12 +118,12 @@ bool bench_scene_time(const Bench *bench, BenchScene *scene, BenchTimes times[BE
 }
 
 int bench_scene_passes(const Bench *bench, BenchScene *scene,
-                       RendererPassTime least[RENDERER_PASSES_MOST])
+                       RendererPassTime least[RENDERER_PASSES_MAX])
 {
     const double end = bench_now() + bench->seconds;
-    RendererPassTime times[RENDERER_PASSES_MOST];
+    RendererPassTime times[RENDERER_PASSES_MAX];
     const int count = renderer_time_passes(scene->render, least);
-    for (int frames = 1; frames < MOST_FRAMES && (frames < FEWEST_FRAMES || bench_now() < end);
+    for (int frames = 1; frames < MAX_FRAMES && (frames < FEWEST_FRAMES || bench_now() < end);
          frames++) {
         renderer_time_passes(scene->render, times);
         for (int i = 0; i < count; i++)

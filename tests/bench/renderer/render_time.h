@@ -41,7 +41,7 @@ void bench_scene_close(BenchScene *scene);
 bool bench_scene_time(const Bench *bench, BenchScene *scene, BenchTimes times[BENCH_WAYS]);
 /* The least seconds that each pass takes; how many passes there are. */
 int bench_scene_passes(const Bench *bench, BenchScene *scene,
-                       RendererPassTime least[RENDERER_PASSES_MOST]);
+                       RendererPassTime least[RENDERER_PASSES_MAX]);
 /* The share of pixels at which the light, cut at 1, of one renderer's picture and of the forward
  * renderer's is apart by more than `bound`; where there are two, of the one that is worse. NAN:
  * they are black, or could not be read. */

@@ -14,7 +14,7 @@
 /* -- errors */
 
 static bool measure_receiver(const Shadows *s, ShadowsScene which,
-                             double errors[SHADOWS_METHODS_MOST])
+                             double errors[SHADOWS_METHODS_MAX])
 {
     enum { EDGE = 512 };
     const ShadowsTarget target = {s->gl, &s->compile, EDGE, s->map_size};
@@ -41,7 +41,7 @@ static void put_name(const Shadows *s, int method)
 
 static bool measure_errors(const Shadows *s)
 {
-    static double errors[SHADOWS_RECEIVERS][SHADOWS_METHODS_MOST];
+    static double errors[SHADOWS_RECEIVERS][SHADOWS_METHODS_MAX];
     for (int i = 0; i < SHADOWS_RECEIVERS; i++)
         if (!measure_receiver(s, (ShadowsScene)i, errors[i]))
             return false;
@@ -64,7 +64,7 @@ static bool measure_errors(const Shadows *s)
 /* -- times */
 
 /* Time of shadows alone: that of a frame less that of one without them. */
-static void put_times(const Shadows *s, const ShadowsTime times[SHADOWS_METHODS_MOST])
+static void put_times(const Shadows *s, const ShadowsTime times[SHADOWS_METHODS_MAX])
 {
     const ShadowsTime none = times[0], pcf = times[s->pcf];
     printf("\ntimes: least milliseconds of a frame, and what shadows take more than none, over "
@@ -85,7 +85,7 @@ static void put_times(const Shadows *s, const ShadowsTime times[SHADOWS_METHODS_
 static bool measure_times(const Shadows *s)
 {
     const ShadowsTiming timing = {s->methods, s->method_count, s->map_size, &s->mesh, {0, 0}, 4};
-    ShadowsTime times[SHADOWS_METHODS_MOST];
+    ShadowsTime times[SHADOWS_METHODS_MAX];
     bench_show("times");
     const bool fine = shadows_time(s, &timing, times);
     bench_show("");

@@ -11,7 +11,7 @@ typedef struct {
     int map_size;
     Shape mesh;
     const char *plot; /* begins names of files; or NULL */
-    ShadowsMethod methods[SHADOWS_METHODS_MOST];
+    ShadowsMethod methods[SHADOWS_METHODS_MAX];
     int method_count, pcf;
 } Shadows;
 

@@ -16,12 +16,14 @@ typedef struct {
 } End;
 #define HYBRID(name, volume)                                                                       \
     {                                                                                              \
-        {{"hybrid", name}, WORD_Shadows_hybrid, 1, WORD_Volume_##volume, false, WORD_Path_auto},   \
+        {{"hybrid", name}, KEYWORD_Shadows_hybrid, 1, KEYWORD_Volume_##volume, false,              \
+         KEYWORD_Path_auto},                                                                       \
             256                                                                                    \
     }
 #define MAPS(name, filter, size)                                                                   \
     {                                                                                              \
-        {{name, "map"}, WORD_Shadows_map, filter, WORD_Volume_perfect, false, WORD_Path_auto},     \
+        {{name, "map"}, KEYWORD_Shadows_map, filter, KEYWORD_Volume_perfect,                       \
+         false,         KEYWORD_Path_auto},                                                        \
             size                                                                                   \
     }
 static const End ends[] = {HYBRID("plain", plain),     HYBRID("blurred", blurred),

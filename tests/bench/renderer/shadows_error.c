@@ -12,9 +12,10 @@ static bool reported(const char *why) { return fprintf(stderr, "matbench: %s\n",
 /* -- pictures */
 
 const ShadowsMethod shadows_truth = {
-    {"exact", "default"}, WORD_Shadows_exact, 1, WORD_Volume_perfect, false, WORD_Path_auto};
+    {"exact", "default"}, KEYWORD_Shadows_exact, 1, KEYWORD_Volume_perfect, false,
+    KEYWORD_Path_auto};
 static const ShadowsMethod usual = {
-    {"map", "default"}, WORD_Shadows_map, 1, WORD_Volume_perfect, false, WORD_Path_auto};
+    {"map", "default"}, KEYWORD_Shadows_map, 1, KEYWORD_Volume_perfect, false, KEYWORD_Path_auto};
 
 /* A view of the scene, four floats a pixel, from malloc; NULL: said. What the light sees first goes
  * to *view, or NULL. */

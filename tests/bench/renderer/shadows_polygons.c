@@ -10,12 +10,14 @@
 /* -- methods */
 
 static const struct {
-    Word word;
+    Keyword word;
     const char *name;
-} paths[] = {{WORD_Path_fetch, "fetch"}, {WORD_Path_copy, "copy"}, {WORD_Path_compute, "compute"}},
-  volumes[] = {{WORD_Volume_plain, "plain"},
-               {WORD_Volume_blurred, "blurred"},
-               {WORD_Volume_perfect, "perfect"}};
+} paths[] = {{KEYWORD_Path_fetch, "fetch"},
+             {KEYWORD_Path_copy, "copy"},
+             {KEYWORD_Path_compute, "compute"}},
+  volumes[] = {{KEYWORD_Volume_plain, "plain"},
+               {KEYWORD_Volume_blurred, "blurred"},
+               {KEYWORD_Volume_perfect, "perfect"}};
 enum {
     PATHS = 3,
     VOLUMES = 3,
@@ -29,13 +31,13 @@ enum {
 static void list_methods(ShadowsMethod methods[METHODS])
 {
     methods[NONE] = (ShadowsMethod){
-        {"no", "shadows"}, WORD_Shadows_none, 0, WORD_Volume_plain, false, WORD_Path_auto};
-    methods[MAP] = (ShadowsMethod){{"map", "hard"}, WORD_Shadows_map, 0, WORD_Volume_plain,
-                                   false,           WORD_Path_auto};
+        {"no", "shadows"}, KEYWORD_Shadows_none, 0, KEYWORD_Volume_plain, false, KEYWORD_Path_auto};
+    methods[MAP] = (ShadowsMethod){{"map", "hard"}, KEYWORD_Shadows_map, 0, KEYWORD_Volume_plain,
+                                   false,           KEYWORD_Path_auto};
     for (int i = 0; i < PATHS * VOLUMES; i++)
         methods[FIRST_VOLUME + i] =
             (ShadowsMethod){{volumes[i / PATHS].name, paths[i % PATHS].name},
-                            WORD_Shadows_hybrid,
+                            KEYWORD_Shadows_hybrid,
                             1,
                             volumes[i / PATHS].word,
                             false,

@@ -12,39 +12,59 @@ const char *const shadows_receivers[SHADOWS_RECEIVERS] = {"plane", "itself", "se
 /* -- methods */
 
 static const ShadowsMethod known[] = {
-    {{"no", "shadows"}, WORD_Shadows_none, 1, WORD_Volume_perfect, false, WORD_Path_auto},
-    {{"map", "hard"}, WORD_Shadows_map, 0, WORD_Volume_perfect, false, WORD_Path_auto},
-    {{"map", "default"}, WORD_Shadows_map, 1, WORD_Volume_perfect, false, WORD_Path_auto},
-    {{"PCF", "3x3"}, WORD_Shadows_map, 2, WORD_Volume_perfect, false, WORD_Path_auto},
-    {{"hybrid", "plain"}, WORD_Shadows_hybrid, 1, WORD_Volume_plain, false, WORD_Path_auto},
-    {{"hybrid", "blurred"}, WORD_Shadows_hybrid, 1, WORD_Volume_blurred, false, WORD_Path_auto},
-    {{"hybrid", "perfect"}, WORD_Shadows_hybrid, 1, WORD_Volume_perfect, false, WORD_Path_auto},
-    {{"hybrid", "silhouette"},
-     WORD_Shadows_hybrid,
+    {{"no", "shadows"}, KEYWORD_Shadows_none, 1, KEYWORD_Volume_perfect, false, KEYWORD_Path_auto},
+    {{"map", "hard"}, KEYWORD_Shadows_map, 0, KEYWORD_Volume_perfect, false, KEYWORD_Path_auto},
+    {{"map", "default"}, KEYWORD_Shadows_map, 1, KEYWORD_Volume_perfect, false, KEYWORD_Path_auto},
+    {{"PCF", "3x3"}, KEYWORD_Shadows_map, 2, KEYWORD_Volume_perfect, false, KEYWORD_Path_auto},
+    {{"hybrid", "plain"},
+     KEYWORD_Shadows_hybrid,
      1,
-     WORD_Volume_silhouette,
+     KEYWORD_Volume_plain,
      false,
-     WORD_Path_auto},
-    {{"hybrid", "stretched"}, WORD_Shadows_hybrid, 1, WORD_Volume_perfect, true, WORD_Path_auto},
+     KEYWORD_Path_auto},
+    {{"hybrid", "blurred"},
+     KEYWORD_Shadows_hybrid,
+     1,
+     KEYWORD_Volume_blurred,
+     false,
+     KEYWORD_Path_auto},
+    {{"hybrid", "perfect"},
+     KEYWORD_Shadows_hybrid,
+     1,
+     KEYWORD_Volume_perfect,
+     false,
+     KEYWORD_Path_auto},
+    {{"hybrid", "silhouette"},
+     KEYWORD_Shadows_hybrid,
+     1,
+     KEYWORD_Volume_silhouette,
+     false,
+     KEYWORD_Path_auto},
+    {{"hybrid", "stretched"},
+     KEYWORD_Shadows_hybrid,
+     1,
+     KEYWORD_Volume_perfect,
+     true,
+     KEYWORD_Path_auto},
 };
 enum { KNOWN = sizeof known / sizeof *known, PCF = 3 };
 
-int shadows_methods(ShadowsMethod methods[SHADOWS_METHODS_MOST], int *pcf)
+int shadows_methods(ShadowsMethod methods[SHADOWS_METHODS_MAX], int *pcf)
 {
     int count = KNOWN;
     memcpy(methods, known, sizeof known);
     *pcf = PCF;
-    for (int word = 0; word < WORD_COUNT && count < SHADOWS_METHODS_MOST; word++) {
+    for (int word = 0; word < WORD_COUNT && count < SHADOWS_METHODS_MAX; word++) {
         int row = 0;
-        while (row < KNOWN && known[row].shadows != (Word)word)
+        while (row < KNOWN && known[row].shadows != (Keyword)word)
             row++;
-        if (row == KNOWN && scene_shadows_name((Word)word))
-            methods[count++] = (ShadowsMethod){{scene_shadows_name((Word)word), "default"},
-                                               (Word)word,
+        if (row == KNOWN && scene_shadows_name((Keyword)word))
+            methods[count++] = (ShadowsMethod){{scene_shadows_name((Keyword)word), "default"},
+                                               (Keyword)word,
                                                1,
-                                               WORD_Volume_perfect,
+                                               KEYWORD_Volume_perfect,
                                                false,
-                                               WORD_Path_auto};
+                                               KEYWORD_Path_auto};
     }
     return count;
 }

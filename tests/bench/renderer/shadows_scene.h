@@ -20,16 +20,16 @@ extern const char *const shadows_receivers[SHADOWS_RECEIVERS];
 /* How a light casts shadows: two words, so that a table's lines can be told apart. */
 typedef struct {
     const char *name[2];
-    Word shadows;
+    Keyword shadows;
     int filter;
-    Word volume;
+    Keyword volume;
     bool stretched;
-    Word path;
+    Keyword path;
 } ShadowsMethod;
-enum { SHADOWS_METHODS_MOST = 24 };
+enum { SHADOWS_METHODS_MAX = 24 };
 /* Those of the list Shadows and the volumes of hybrid ones; a word that this file does not know has
  * its own name. The first casts none; *pcf is what times are compared with. How many. */
-int shadows_methods(ShadowsMethod methods[SHADOWS_METHODS_MOST], int *pcf);
+int shadows_methods(ShadowsMethod methods[SHADOWS_METHODS_MAX], int *pcf);
 /* The scene's light casts its shadows so. */
 void shadows_use(Scene *scene, const ShadowsMethod *method, int map_size);
 

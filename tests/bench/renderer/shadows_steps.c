@@ -87,7 +87,7 @@ static bool walk(const ShadowsTarget *target, const ShadowsPlace *place,
 }
 
 /* Counts for each method, beside exact shadows. */
-static bool count(const Shadows *s, ShadowsScene which, long flickers[SHADOWS_METHODS_MOST],
+static bool count(const Shadows *s, ShadowsScene which, long flickers[SHADOWS_METHODS_MAX],
                   long *turns)
 {
     const ShadowsTarget target = {s->gl, &s->compile, EDGE, s->map_size};
@@ -119,7 +119,7 @@ static void put_row(const char *const name[2], const long *const numbers[SHADOWS
 
 bool shadows_steps(const Shadows *s)
 {
-    static long flickers[SHADOWS_RECEIVERS][SHADOWS_METHODS_MOST];
+    static long flickers[SHADOWS_RECEIVERS][SHADOWS_METHODS_MAX];
     const long *rows[SHADOWS_RECEIVERS];
     for (int i = 0; i < SHADOWS_RECEIVERS; i++) {
         if (!count(s, (ShadowsScene)i, flickers[i], &flickers[i][0]))

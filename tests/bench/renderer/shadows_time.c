@@ -5,7 +5,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { MOST_ROUNDS = 64, FEWEST_ROUNDS = 3 };
+enum { MAX_ROUNDS = 64, FEWEST_ROUNDS = 3 };
 
 typedef struct {
     ShadowsPlace place;
@@ -59,7 +59,7 @@ static void time_all(const Shadows *s, const ShadowsTiming *timing, Timed *timed
         least[i] = INFINITY;
     }
     for (int round = 0;
-         frames && round < MOST_ROUNDS && (round < FEWEST_ROUNDS || bench_now() < end); round++)
+         frames && round < MAX_ROUNDS && (round < FEWEST_ROUNDS || bench_now() < end); round++)
         for (int i = 0; i < timing->count; i++)
             least[i] = fmin(least[i], draw(s, &timed[i], moving, frames[i]));
     free(frames);
@@ -67,7 +67,7 @@ static void time_all(const Shadows *s, const ShadowsTiming *timing, Timed *timed
 
 static bool measure(const Shadows *s, const ShadowsTiming *timing, Timed *timed, ShadowsTime *times)
 {
-    double still[SHADOWS_METHODS_MOST] = {0}, moving[SHADOWS_METHODS_MOST] = {0};
+    double still[SHADOWS_METHODS_MAX] = {0}, moving[SHADOWS_METHODS_MAX] = {0};
     for (int i = 0; i < timing->count; i++)
         if (!open_timed(s, timing, i, &timed[i]))
             return false;
@@ -80,7 +80,7 @@ static bool measure(const Shadows *s, const ShadowsTiming *timing, Timed *timed,
 
 bool shadows_time(const Shadows *s, const ShadowsTiming *timing, ShadowsTime *times)
 {
-    Timed timed[SHADOWS_METHODS_MOST] = {{{0}, NULL}};
+    Timed timed[SHADOWS_METHODS_MAX] = {{{0}, NULL}};
     for (int i = 0; i < timing->count; i++)
         times[i] = (ShadowsTime){NAN, NAN};
     const bool fine = !s->timed || measure(s, timing, timed, times);

@@ -18,7 +18,7 @@ enum {
     QUICK_OBJECTS = 2401, /* maximum row of --quick and --untimed */
     QUICK_CHECKERS = 120,
     QUICK_LIGHTS = 128,
-    MOST_ROWS = 12
+    MAX_ROWS = 12
 };
 #define NONE        NAN /* no number in the thesis, or nothing measured here */
 #define MS(seconds) NUMBER(3, 1e3 * (seconds))
@@ -138,7 +138,7 @@ typedef struct {
     void (*write)(Text *out, int count);
     int quick;    /* maximum count of --quick */
     bool forward; /* a forward renderer draws the scene, too */
-    SeriesRow rows[MOST_ROWS];
+    SeriesRow rows[MAX_ROWS];
 } Series;
 
 static const Series series[] = {
@@ -248,7 +248,7 @@ static bool measure_series(const Thesis *t, const Series *of)
            "%8s %8s   %9s %9s\n",
            of->what, of->name, "A", "B", "old-A", "here", "forward", "A/first", "B/first",
            "old/first", "/first", "/first");
-    for (int i = 0; fine && i < MOST_ROWS && of->rows[i].count; i++) {
+    for (int i = 0; fine && i < MAX_ROWS && of->rows[i].count; i++) {
         double here[2] = {NONE, NONE};
         if (!t->quick || of->rows[i].count <= of->quick)
             fine = measure_row(t, of, &of->rows[i], here);
@@ -331,7 +331,7 @@ static bool measure_frame(const Thesis *t, int row, double seconds[STAGES])
     Arena arena = {0};
     Text text = text_new(&arena);
     BenchScene scene = {0};
-    RendererPassTime passes[RENDERER_PASSES_MOST];
+    RendererPassTime passes[RENDERER_PASSES_MAX];
     bench_show(frames[row].name);
     write_frame(&text, row);
     const bool fine = bench_scene_open(&t->bench, &text,

@@ -15,7 +15,7 @@
  * one, tables that are grown. */
 static const double MOST = 24;
 /* what a clock and a scheduler leave of a time; shorter ones count as that */
-static const double LEAST_SECONDS = 5e-4;
+static const double MIN_SECONDS = 5e-4;
 enum { RUNS = 3, TRIES = 4 };
 
 /* Sanitizers look for faults in the longer documents. They are not timed: their allocator takes
@@ -31,7 +31,7 @@ static void timed(void)
  * it. */
 static double ratio(const GrowthRow *row)
 {
-    double base = fmax(growth_seconds(row, row->count, RUNS), LEAST_SECONDS), least = INFINITY;
+    double base = fmax(growth_seconds(row, row->count, RUNS), MIN_SECONDS), least = INFINITY;
     for (int i = 0; i < TRIES && least > MOST * base; i++)
         least = fmin(least, growth_seconds(row, GROWTH_FACTOR * row->count, 1));
     return least / base;

@@ -4,7 +4,7 @@
 #include "compiler/base/hash_index.h"
 #include <unistd.h>
 
-enum { COUNT = 3000, MOST_SECONDS = 60 }; /* a search in a full table would not end */
+enum { COUNT = 3000, MAX_SECONDS = 60 }; /* a search in a full table would not end */
 
 /* All numbers of a hash come, in the order in which they were added, and no other. */
 static void check_all(const HashIndex *index, const uint32_t *hashes, int count, uint32_t asked)
@@ -63,6 +63,6 @@ int main(void)
         cmocka_unit_test(every_number_is_found_by_its_hash),
         cmocka_unit_test(an_empty_one_has_nothing),
     };
-    alarm(MOST_SECONDS);
+    alarm(MAX_SECONDS);
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -13,12 +13,12 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { MOST_DOCUMENTS = 4096, OUTPUTS = MATC_FRAGMENT | MATC_REFLECT | MATC_IR };
+enum { MAX_DOCUMENTS = 4096, OUTPUTS = MATC_FRAGMENT | MATC_REFLECT | MATC_IR };
 
 static const unsigned outputs[] = {MATC_FRAGMENT, MATC_REFLECT, MATC_IR};
 
 static struct {
-    char *paths[MOST_DOCUMENTS];
+    char *paths[MAX_DOCUMENTS];
     int count;
 } found; /* nftw takes no argument of one's own */
 
@@ -28,7 +28,7 @@ static int note(const char *path, const struct stat *info, int kind, struct FTW 
     const char *dot = strrchr(path, '.');
     if (kind != FTW_F || !dot || (strcmp(dot, ".yaml") != 0 && strcmp(dot, ".json") != 0))
         return 0;
-    assert_in_range(found.count, 0, MOST_DOCUMENTS - 1);
+    assert_in_range(found.count, 0, MAX_DOCUMENTS - 1);
     found.paths[found.count++] = strdup(path);
     return 0;
 }

@@ -8,7 +8,7 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { COUNT = 5000, NAME = 16, MOST_SECONDS = 60 };
+enum { COUNT = 5000, NAME = 16, MAX_SECONDS = 60 };
 
 /* Name of a number, in memory of its own. */
 static const char *name_of(Arena *arena, int number)
@@ -125,6 +125,6 @@ int main(void)
         cmocka_unit_test(a_set_of_keys_looks_at_both_halves),
         cmocka_unit_test(two_keys_differ_in_any_bit),
     };
-    alarm(MOST_SECONDS);
+    alarm(MAX_SECONDS);
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -215,7 +215,7 @@ static void long_formulas(void **state)
     };
     static const char *const options[] = {
         "", "O0", "eval", "derivatives=analytic aa=box", "fit", "ir", "precision=exact"};
-    enum { TERMS = 3000, MOST_TERMS = 100000 };
+    enum { TERMS = 3000, MAX_TERMS = 100000 };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
         for (size_t o = i % 2; o < sizeof options / sizeof *options; o += 2)
             for (int bump = 0; bump < 2; bump++) {
@@ -238,7 +238,7 @@ static void long_formulas(void **state)
             }
     static const GrowthRow longest = {
         "", "", 1, false, false, "material: Phong\ndiffuse: \"= ", "u*$ + ", "v", "", "\"\n"};
-    assert_int_equal(errors_of(&longest, MOST_TERMS), 0);
+    assert_int_equal(errors_of(&longest, MAX_TERMS), 0);
 }
 
 /* Definitions that name one another: as long a chain as maps may lie over one another, in either

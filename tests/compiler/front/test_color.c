@@ -259,7 +259,7 @@ static bool is_a_colour(Kind material, const char *param)
 static void count_pictures(const Node *node, int counts[2])
 {
     if (node && node->kind == KIND_ImageMap)
-        counts[node_param(node, P_ImageMap_colorspace)->number[0] == WORD_ColorSpace_srgb]++;
+        counts[node_param(node, P_ImageMap_colorspace)->number[0] == KEYWORD_ColorSpace_srgb]++;
     for (int i = 0; node && i < kind_table[node->kind].count; i++) {
         const Value *value = &node->params[i];
         if (value->kind == VALUE_node)

@@ -245,7 +245,7 @@ static void by_ir(const Trial *t, Document *d)
         job.slot = SLOT_emissive;
         job.choice[AXIS_aa] = CHOICE_aa_none;
         const Ir *ir = compile_ir(&session, d->graph, d->graph->materials[0].node, &job);
-        double result[MOST_OUTPUTS][4];
+        double result[MAX_OUTPUTS][4];
         assert_non_null(ir);
         ir_eval(ir, &(ReferenceContext){.noise = REFERENCE_LATTICE}, t->inputs, result);
         compare(t, level ? "-O2" : "-O0", result[0]);

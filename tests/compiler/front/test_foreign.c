@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { LONGEST_DOCUMENT = 512, MOST_WAYS = 4 };
+enum { LONGEST_DOCUMENT = 512, MAX_WAYS = 4 };
 
 /* The messages of a document hold a text. */
 static bool says(const char *text, const char *here)
@@ -25,7 +25,7 @@ static bool says(const char *text, const char *here)
 /* The i-th document with the row; false: there are no more. */
 static bool write_document(const ForeignRow *row, int i, char text[LONGEST_DOCUMENT])
 {
-    static const char *const formulas[MOST_WAYS] = {"%s", "%s(1, 1)", "1 %s 1", "%s 1"};
+    static const char *const formulas[MAX_WAYS] = {"%s", "%s(1, 1)", "1 %s 1", "%s 1"};
     char formula[LONGEST_DOCUMENT / 2];
     const char *kind = row->kind < KIND_COUNT ? kind_table[row->kind].name : "", *form = "";
     const bool material =
@@ -65,7 +65,7 @@ static bool write_document(const ForeignRow *row, int i, char text[LONGEST_DOCUM
                  kind, row->name);
         return i < 1;
     case FOREIGN_FORMULA:
-        if (i == MOST_WAYS)
+        if (i == MAX_WAYS)
             return false;
         snprintf(formula, sizeof formula, formulas[i], row->name);
         snprintf(text, LONGEST_DOCUMENT, "material: Phong\ndiffuse: \"= %s\"\n", formula);

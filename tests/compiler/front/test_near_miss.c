@@ -33,12 +33,12 @@ static const Row rows[] = {
 #undef NEAR_IN
 #undef NO_NEAR
 };
-enum { ROWS = sizeof rows / sizeof *rows, MOST_TEXT = 1 << 16 };
+enum { ROWS = sizeof rows / sizeof *rows, MAX_TEXT_BYTES = 1 << 16 };
 
 static void add(char *out, const char *text)
 {
     const size_t size = strlen(out);
-    snprintf(out + size, MOST_TEXT - size, "%s", text);
+    snprintf(out + size, MAX_TEXT_BYTES - size, "%s", text);
 }
 
 /* Appends all diagnostics of a document and of its materials, which are compiled. */
@@ -158,7 +158,7 @@ static int check_row(const Row *row, char *out)
 
 static void messages_and_near_misses(void **state)
 {
-    static char out[MOST_TEXT];
+    static char out[MAX_TEXT_BYTES];
     int faults = 0;
     (void)state;
     for (int i = 0; i < ROWS; i++)

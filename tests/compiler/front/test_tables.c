@@ -32,7 +32,7 @@ static void rows_are_documented(void **state)
     for (int i = 0; i < WAVE_COUNT; i++)
         assert_true(is_sentence(wave_table[i].doc));
     for (int i = 0; i < WORD_COUNT; i++)
-        assert_true(is_sentence(word_table[i].doc));
+        assert_true(is_sentence(keyword_table[i].doc));
     for (int i = 0; i < SLOT_COUNT; i++)
         assert_true(is_sentence(slot_table[i].doc));
     for (int i = 0; i < ENCODING_COUNT; i++)
@@ -171,15 +171,15 @@ static bool has_word(int list, const char *name)
 {
     bool found = false;
     for (int i = 0; i < WORD_COUNT; i++)
-        found |= (int)word_table[i].list == list && !strcmp(word_table[i].name, name);
+        found |= (int)keyword_table[i].list == list && !strcmp(keyword_table[i].name, name);
     return found;
 }
 
 static void try_words(const ParamRow *row)
 {
     for (int i = 0; i < WORD_COUNT; i++)
-        assert_int_equal(tries(row, word_table[i].name),
-                         has_word((int)row->type, word_table[i].name));
+        assert_int_equal(tries(row, keyword_table[i].name),
+                         has_word((int)row->type, keyword_table[i].name));
     assert_false(tries(row, "other"));
     assert_false(tries(row, "0"));
 }

@@ -125,7 +125,7 @@ static void broken(void **state)
     }
 }
 
-enum { MOST_KIB = 16 << 10 };
+enum { MAX_KIB = 16 << 10 };
 
 /* A document of so many pictures of that file, under as many names. */
 static char *many(int count)
@@ -158,7 +158,7 @@ static void take_little(PictureFile *file, int count)
         MatcDocument *document = picture_read(file, text, true);
         const long grown = resident() - before;
         fprintf(stderr, "%d broken pictures: %ld KiB\n", count, grown);
-        _exit(matc_error_count(document) == count && grown < MOST_KIB ? 0 : 1);
+        _exit(matc_error_count(document) == count && grown < MAX_KIB ? 0 : 1);
     }
     assert_int_equal(waitpid(child, &status, 0), child);
     assert_int_equal(status, 0);

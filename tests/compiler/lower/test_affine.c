@@ -13,7 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { COMPONENTS = 3, TRIALS = 3000, MOST_STEPS = 12, LONG_CHAIN = 400, POINTS = 4 };
+enum { COMPONENTS = 3, TRIALS = 3000, MAX_STEPS = 12, LONG_CHAIN = 400, POINTS = 4 };
 
 /* row . root + offset for each component. */
 typedef struct {
@@ -202,7 +202,7 @@ static void check_bits(const Ir *ir, Ref call)
 
 static void check_point(Trial *t, double scale, const double point[COMPONENTS])
 {
-    double inputs[INPUT_COUNT][4] = {{0}}, result[MOST_OUTPUTS][4];
+    double inputs[INPUT_COUNT][4] = {{0}}, result[MAX_OUTPUTS][4];
     for (int i = 0; i < COMPONENTS; i++)
         inputs[INPUT_X][i] = point[i];
     ir_eval(t->l.ir, &(ReferenceContext){.noise = REFERENCE_LATTICE}, (const double(*)[4])inputs,
@@ -244,7 +244,7 @@ static void whole_and_fraction_are_exact(void **state)
     for (int i = 0; i < TRIALS; i++) {
         Trial t;
         open_trial(&t, (uint64_t)i, i % 2);
-        for (int steps = 1 + choose(&t, MOST_STEPS); steps > 0; steps--)
+        for (int steps = 1 + choose(&t, MAX_STEPS); steps > 0; steps--)
             step(&t);
         check(&t, i % 3 ? 2 : 1);
         close_trial(&t);

@@ -10,7 +10,7 @@
 
 static const char *const drivers[] = {"sin",  "cos",  "tan",  "asin", "acos",
                                       "atan", "sinh", "cosh", "tanh"};
-enum { DRIVER_COUNT = sizeof drivers / sizeof *drivers, MOST_SHOWN = 10 };
+enum { DRIVER_COUNT = sizeof drivers / sizeof *drivers, MAX_SHOWN = 10 };
 
 static bool is_driver_call(const char *name, size_t size)
 {
@@ -93,7 +93,7 @@ static int check_program(const Document *d, int material, const MatcOptions *opt
         fail_msg("%s: %s", d->path, matc_program_diagnostics(program, MATC_TEXT));
     const char *call = driver_call(text);
     static int shown;
-    if (call && shown++ < MOST_SHOWN)
+    if (call && shown++ < MAX_SHOWN)
         fprintf(stderr, "%s %s, pass %s, aa=%s, derivatives=%s: %.*s\n", document_name(d),
                 matc_material_name(d->document, material), options->pass, options->aa,
                 options->derivatives, (int)strcspn(call, "\n"), call);

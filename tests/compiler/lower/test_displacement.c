@@ -106,7 +106,7 @@ static void check_material(Document *d, int material, int optimize, double worst
     points_make(points);
     oracle_judge_slopes(oracle, true);
     for (int i = 0; i < POINT_COUNT; i++) {
-        double inputs[INPUT_COUNT][4], result[MOST_OUTPUTS][4];
+        double inputs[INPUT_COUNT][4], result[MAX_OUTPUTS][4];
         Surface surface;
         OracleDisplacement want;
         const float *x = points[i].input[INPUT_X];

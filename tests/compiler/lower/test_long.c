@@ -94,7 +94,7 @@ static double worst_of(Document *d, int level, const Point *points, const Hull *
     ReferenceContext context = {.noise = ir->noise};
     double worst = 0;
     for (int i = 0; i < count; i++) {
-        double inputs[INPUT_COUNT][4], result[MOST_OUTPUTS][4];
+        double inputs[INPUT_COUNT][4], result[MAX_OUTPUTS][4];
         evaluate_inputs(&points[i], true, inputs);
         ir_eval(ir, &context, (const double(*)[4])inputs, result);
         for (int component = 0; component < 3; component++)
@@ -163,7 +163,7 @@ static Ir *compile_relief(Document *d, Session *session, const char *coordinates
 
 static double apart(const Ir *plain, const Ir *exact, const Point *point, Pixel pixel)
 {
-    double inputs[INPUT_COUNT][4], a[MOST_OUTPUTS][4], b[MOST_OUTPUTS][4], most = 0;
+    double inputs[INPUT_COUNT][4], a[MAX_OUTPUTS][4], b[MAX_OUTPUTS][4], most = 0;
     ReferenceContext context = {.noise = plain->noise};
     evaluate_inputs(point, true, inputs);
     pixel_inputs(pixel, inputs);

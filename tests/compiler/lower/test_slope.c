@@ -14,14 +14,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { STEP = 3 * SANITIZED_STEP, MOST_NODES = 4096 };
+enum { STEP = 3 * SANITIZED_STEP, MAX_NODES = 4096 };
 static const double bound = 1e-6; /* of |slope - difference| / max(1, |difference|) */
 
 typedef struct {
     Document document;
     Oracle *oracle;
     Point points[POINT_COUNT];
-    bool seen[MOST_NODES];
+    bool seen[MAX_NODES];
     int maps, faults;
     long compared, creased;
     double worst;
@@ -78,7 +78,7 @@ static void compare(Test *t, const Node *map, int axis, const Ir *ir,
 {
     for (int i = 0; i < POINT_COUNT; i += STEP) {
         const Point *point = &t->points[i];
-        double inputs[INPUT_COUNT][4] = {{0}}, result[MOST_OUTPUTS][4], expected;
+        double inputs[INPUT_COUNT][4] = {{0}}, result[MAX_OUTPUTS][4], expected;
         if (point_is_extreme(point) || fabsf(point->input[INPUT_X][0]) > 100 ||
             fabsf(point->input[INPUT_U][0]) > 100 || fabsf(point->input[INPUT_X][1]) > 100 ||
             fabsf(point->input[INPUT_U][1]) > 100)
@@ -168,7 +168,7 @@ static void slopes_are_those_of_the_oracle(void **state)
         if (only && !strstr(list.paths[i], only))
             continue;
         bool good = document_open(&test.document, list.paths[i]);
-        if (!good || test.document.graph->node_count > MOST_NODES) {
+        if (!good || test.document.graph->node_count > MAX_NODES) {
             document_close(&test.document);
             continue;
         }

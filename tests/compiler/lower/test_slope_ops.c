@@ -54,7 +54,7 @@ static Ref moving(Lower *l, Type type, const double base[4], const double rate[4
     return build_add(l->ir, at, build_mul(l->ir, ir_const(l->ir, type, other), v));
 }
 
-static void evaluate(Test *t, double u, double v, double result[MOST_OUTPUTS][4])
+static void evaluate(Test *t, double u, double v, double result[MAX_OUTPUTS][4])
 {
     const ReferenceContext context = {REFERENCE_LATTICE, call_textures};
     double inputs[INPUT_COUNT][4] = {{0}};
@@ -66,7 +66,7 @@ static void evaluate(Test *t, double u, double v, double result[MOST_OUTPUTS][4]
 /* The slope over steps h, and how far both sides are apart. */
 static double over_steps(Test *t, int axis, int component, double h, double *apart)
 {
-    double at[5][MOST_OUTPUTS][4];
+    double at[5][MAX_OUTPUTS][4];
     for (int i = -2; i <= 2; i++)
         evaluate(t, axis ? 0 : i * h, axis ? i * h : 0, at[i + 2]);
     double behind = at[2][0][component] - at[1][0][component],
@@ -109,7 +109,7 @@ static void judge(Test *t, const char *what, int axis, int component, double got
 static void compare(Test *t, Ref value, const char *name, int varying)
 {
     Type type = ir_type(t->l.ir, value);
-    double result[MOST_OUTPUTS][4];
+    double result[MAX_OUTPUTS][4];
     char what[64];
     ir_output(t->l.ir, OUT_color, 0, value);
     for (int d = 0; d < 2; d++) {
@@ -285,7 +285,7 @@ static void check_call(Test *t, const FunctionCase *row, const SlopeRow *slope)
         t->l.ir->texture_count = CALL_TEXTURES;
         t->l.ir->textures = ARENA_ARRAY(&t->arena, IrTexture, CALL_TEXTURES);
         for (int k = 0; k < CALL_TEXTURES; k++)
-            t->l.ir->textures[k].wrap = WORD_Address_repeat;
+            t->l.ir->textures[k].wrap = KEYWORD_Address_repeat;
         for (int k = 0; k < count; k++)
             args[k] = argument(t, letters[k], tuple[k], &row->arguments[k], k == slope->argument);
         compare(t, build_call_of(t->l.ir, function, args, count), function_row(function)->name,
@@ -341,8 +341,8 @@ static void a_function_without_a_row_has_the_slope_of_its_differences(void **sta
     assert_int_equal(slope_row(function)->kind, SLOPE_difference);
     for (int i = 0; i < CALLS; i++) {
         double base[4] = {uniform(&t, -5, 5)}, rate[4] = {uniform(&t, -4, 4)}, none[4] = {0};
-        double result[MOST_OUTPUTS][4], expected = rate[0] * exp(base[0]),
-                                        squared = rate[0] * rate[0] * step * step;
+        double result[MAX_OUTPUTS][4], expected = rate[0] * exp(base[0]),
+                                       squared = rate[0] * rate[0] * step * step;
         begin(&t);
         Ref value = build_call(t.l.ir, function, moving(&t.l, TYPE_float, base, rate, none));
         ir_output(t.l.ir, OUT_color, 0, slope_of(&t.l, value, DIRECTION_u));

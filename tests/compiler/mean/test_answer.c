@@ -120,7 +120,7 @@ static const struct {
      SLOT_diffuse},
 };
 
-enum { MOST_POINTS = SAMPLES * SAMPLES };
+enum { MAX_POINTS = SAMPLES * SAMPLES };
 
 /* The points of the pixel. */
 static void surface_at(int i, Surface *surface)
@@ -152,14 +152,14 @@ static double true_variance(Question *q, int component)
     Surface surface;
     double sum = 0, squares = 0;
     Oracle *oracle = open_oracle(&q->document);
-    for (int i = 0; i < MOST_POINTS; i++) {
+    for (int i = 0; i < MAX_POINTS; i++) {
         surface_at(i, &surface);
         double value = oracle_channel(oracle, q->map, channel_id(q->group, component), &surface);
         sum += value;
         squares += value * value;
     }
     oracle_close(oracle);
-    return squares / MOST_POINTS - sum / MOST_POINTS * (sum / MOST_POINTS);
+    return squares / MAX_POINTS - sum / MAX_POINTS * (sum / MAX_POINTS);
 }
 
 static double true_mean(const Document *d, Slot slot)
@@ -168,13 +168,13 @@ static double true_mean(const Document *d, Slot slot)
     SlotValues values;
     double sum = 0;
     Oracle *oracle = open_oracle(d);
-    for (int i = 0; i < MOST_POINTS; i++) {
+    for (int i = 0; i < MAX_POINTS; i++) {
         surface_at(i, &surface);
         assert_true(oracle_material(oracle, d->graph->materials[0].node, &surface, &values));
         sum += values.component[slot][0];
     }
     oracle_close(oracle);
-    return sum / MOST_POINTS;
+    return sum / MAX_POINTS;
 }
 
 static void inputs_of_pixel(double inputs[INPUT_COUNT][4])
@@ -215,7 +215,7 @@ static void attempt_close(Attempt *w, Ref value, double result[4])
 {
     Ir *ir = w->l.ir;
     ReferenceTexture textures[EVALUATE_TEXTURES];
-    double inputs[INPUT_COUNT][4], results[MOST_OUTPUTS][4];
+    double inputs[INPUT_COUNT][4], results[MAX_OUTPUTS][4];
     ir_output(ir, OUT_color, 0, build_convert(ir, value, TYPE_vec4));
     assert_null(ir_check(ir));
     assert_true(evaluate_textures(&w->arena, ir, textures));

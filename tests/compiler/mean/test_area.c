@@ -17,7 +17,7 @@ enum {
     EXACT_POINTS = 16, /* footprints along the axes */
     PIECES = 4,        /* of a period: between their borders every map of an EXACT row is smooth */
     NODES = 5,         /* of a piece */
-    MOST_SHOWN = 3,    /* faults of a map that are printed */
+    MAX_SHOWN = 3,     /* faults of a map that are printed */
     LONGEST = 1024
 };
 /* How near to the map itself a pixel without extent is: boxes are 1e-7 at least. */
@@ -95,7 +95,7 @@ static void open_map(Test *t)
 /* The value at a part of the way to the neighbours. */
 static double value_at(Test *t, Aa aa, const Footprint *f, double right, double up)
 {
-    double inputs[INPUT_COUNT][4] = {{0}}, result[MOST_OUTPUTS][4];
+    double inputs[INPUT_COUNT][4] = {{0}}, result[MAX_OUTPUTS][4];
     ReferenceContext context = {t->ir[aa]->noise, t->textures[aa]};
     for (int i = 0; i < 2; i++) {
         inputs[INPUT_U][i] = f->u[i] + right * f->u_by[0][i] + up * f->u_by[1][i];
@@ -207,7 +207,7 @@ static Footprint straight_footprint(Test *t)
 
 static void fault(Test *t, const char *what, double is, double limit)
 {
-    if (t->faults++ < MOST_SHOWN)
+    if (t->faults++ < MAX_SHOWN)
         print_error("%s: %s %.3g, at most %.3g\n", t->row->name, what, is, limit);
 }
 

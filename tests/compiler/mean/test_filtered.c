@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { MOST_SHOWN = 3, SLICES = 20000 };
+enum { MAX_SHOWN = 3, SLICES = 20000 };
 static const char *const filters[] = {"box", "aniso"};
 static const char *const targets[] = {"glsl330", "glsl110", "essl300"};
 enum { WAYS = 6 }; /* a filter and a target */
@@ -54,7 +54,7 @@ typedef struct {
 static void compare(Report *report, double drawn, double want, const Filtered *f)
 {
     double error = isnan(drawn) ? INFINITY : fabs(drawn - want);
-    if (note(error, &report->worst) <= report->bound || report->failures++ >= MOST_SHOWN)
+    if (note(error, &report->worst) <= report->bound || report->failures++ >= MAX_SHOWN)
         return;
     print_error("%s, %s, %s: %.7g, not %.7g\n", f->map, f->target, f->aa, drawn, want);
 }

@@ -20,7 +20,7 @@ static void types_convert_by_the_table(void **state)
     for (int i = 0; i < 4; i++)
         for (int k = 0; k < 4; k++) {
             Site s;
-            double value[MOST_OUTPUTS][4] = {{0}};
+            double value[MAX_OUTPUTS][4] = {{0}};
             const double inputs[INPUT_COUNT][4] = {{0}};
             site_open(&s);
             ir_output(s.ir, OUT_color, 0,

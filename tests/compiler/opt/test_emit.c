@@ -82,7 +82,7 @@ static void compare(Test *t, const Ir *ir, const char *text, const char *fragmen
     material_delete(&material);
     const ReferenceContext context = {.noise = ir->noise};
     for (int i = 0; i < POINTS; i++) {
-        double inputs[INPUT_COUNT][4], value[MOST_OUTPUTS][4];
+        double inputs[INPUT_COUNT][4], value[MAX_OUTPUTS][4];
         evaluate_inputs(&t->points[i], true, inputs);
         ir_eval(ir, &context, (const double(*)[4])inputs, value);
         for (int component = 0; component < 4; component++)

@@ -87,7 +87,7 @@ static void check_values(Test *t, int material, Slot slot, int level, const Ir *
         int point = i % t->count;
         if (differs && point_is_far(&t->points[point], far))
             continue;
-        double inputs[INPUT_COUNT][4], result[MOST_OUTPUTS][4];
+        double inputs[INPUT_COUNT][4], result[MAX_OUTPUTS][4];
         evaluate_inputs(&t->points[point], front, inputs);
         if (t->bent)
             evaluate_bends(&t->points[point], inputs);
@@ -228,7 +228,7 @@ static void a_blend_at_an_items_value_is_that_item(void **state)
         const Ir *ir = compile_ir(&session, d.graph, d.graph->materials[0].node, &job);
         ReferenceContext context = {.noise = ir->noise};
         for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-            double inputs[INPUT_COUNT][4] = {{0}}, result[MOST_OUTPUTS][4];
+            double inputs[INPUT_COUNT][4] = {{0}}, result[MAX_OUTPUTS][4];
             inputs[INPUT_X][0] = cases[i].at;
             ir_eval(ir, &context, (const double(*)[4])inputs, result);
             if (!(fabs(result[0][0] - cases[i].value) <= bound))

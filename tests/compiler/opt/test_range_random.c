@@ -148,7 +148,7 @@ static void check_nodes(Program *p, const Ranges ranges[2], const Ref *refs, int
     for (int i = 0; i < count; i++)
         ir_output(p->site.ir, OUT_color, i, refs[i]);
     for (int n = 0; n < POINTS; n++) {
-        double inputs[INPUT_COUNT][4], values[MOST_OUTPUTS][4];
+        double inputs[INPUT_COUNT][4], values[MAX_OUTPUTS][4];
         p->choices.count = 0;
         for (int i = 0; i < INPUT_COUNT; i++)
             for (int component = 0; component < 4; component++)
@@ -169,19 +169,19 @@ static void values_of_random_programs_lie_within_their_intervals(void **state)
         program_make(&p, number);
         Ranges ranges[2] = {range_find(p.site.ir, &p.site.arena, 1),
                             range_find(p.site.ir, &p.site.arena, 4)};
-        for (int i = 0; i < p.float_count; i += MOST_OUTPUTS)
+        for (int i = 0; i < p.float_count; i += MAX_OUTPUTS)
             check_nodes(&p, ranges, &p.floats[i],
-                        p.float_count - i < MOST_OUTPUTS ? p.float_count - i : MOST_OUTPUTS);
-        for (int i = 0; i < p.vector_count; i += MOST_OUTPUTS)
+                        p.float_count - i < MAX_OUTPUTS ? p.float_count - i : MAX_OUTPUTS);
+        for (int i = 0; i < p.vector_count; i += MAX_OUTPUTS)
             check_nodes(&p, ranges, &p.vectors[i],
-                        p.vector_count - i < MOST_OUTPUTS ? p.vector_count - i : MOST_OUTPUTS);
+                        p.vector_count - i < MAX_OUTPUTS ? p.vector_count - i : MAX_OUTPUTS);
         site_close(&p.site);
     }
 }
 
 /* -- what functions.def and maps.def say of library functions and maps */
 
-enum { CALLS = 3000, MOST_NUMBERS = 64, TEXELS = 8 };
+enum { CALLS = 3000, MAX_NUMBERS = 64, TEXELS = 8 };
 
 static double a_component(Choices *c)
 {
@@ -231,7 +231,7 @@ static int an_argument(Choices *c, char letter, double *to)
 
 static Interval claimed_of(Site *s, int function)
 {
-    Ref args[MOST_NUMBERS];
+    Ref args[MAX_NUMBERS];
     const int count = (int)strlen(function_arguments(function));
     for (int i = 0; i < count; i++)
         /* where a texture is wanted, too: nothing is known of its texels */
@@ -259,7 +259,7 @@ static void functions_have_values_within_their_intervals(void **state)
         Interval claimed = known ? claimed_of(&site, function) : (Interval){-INFINITY, INFINITY};
         bounded += isfinite(claimed.low) || isfinite(claimed.high);
         for (int n = 0; (isfinite(claimed.low) || isfinite(claimed.high)) && n < CALLS; n++) {
-            double args[MOST_NUMBERS], result[4] = {0};
+            double args[MAX_NUMBERS], result[4] = {0};
             int used = 0;
             choices.count = 0;
             for (const char *letter = function_arguments(function); *letter; letter++)

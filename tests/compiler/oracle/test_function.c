@@ -12,10 +12,10 @@
 #include <string.h>
 
 enum {
-    NEIGHBOURS = 48,   /* that make a hull */
-    MOST_VARIANTS = 8, /* texts of a function for one target */
-    MOST_SHOWN = 3,    /* faults of a case that are printed */
-    MOST_NUMBERS = 4 * CALL_ARGUMENTS
+    NEIGHBOURS = 48,  /* that make a hull */
+    MAX_VARIANTS = 8, /* texts of a function for one target */
+    MAX_SHOWN = 3,    /* faults of a case that are printed */
+    MAX_NUMBERS = 4 * CALL_ARGUMENTS
 };
 /* below, errors count as if the value were this: floats end at 1e-38 */
 static const double least_relative = 1e-30;
@@ -83,7 +83,7 @@ static double miss_nearby(Test *t, int i, int component, double start)
     double low = start, high = start, got = t->result[i][component];
     uint64_t state = java_random(i);
     for (int k = 0; k < NEIGHBOURS; k++) {
-        double args[MOST_NUMBERS], expected[CALL_COMPONENTS] = {0};
+        double args[MAX_NUMBERS], expected[CALL_COMPONENTS] = {0};
         tuple_flatten(t->tuple[i], letters, args);
         tuple_move(args, t->row->arguments, letters, t->row->reach, &state);
         reference(t, args, expected);
@@ -118,7 +118,7 @@ static double miss_of(Test *t, int i, const double expected[CALL_COMPONENTS], in
 static void show(Test *t, int i, int component, double expected, double miss)
 {
     char text[1024];
-    double args[MOST_NUMBERS];
+    double args[MAX_NUMBERS];
     int size = 0, count = 0;
     const char *letters = function_arguments(t->function);
     tuple_flatten(t->tuple[i], letters, args);
@@ -137,7 +137,7 @@ static void compare(Test *t)
     Type type = function_row(t->function)->result;
     int components = type == TYPE_uint ? 1 : type_table[type].components, shown = 0;
     for (int i = 0; i < CALL_COUNT; i++) {
-        double args[MOST_NUMBERS], expected[CALL_COMPONENTS] = {0};
+        double args[MAX_NUMBERS], expected[CALL_COMPONENTS] = {0};
         tuple_flatten(t->tuple[i], letters, args);
         reference(t, args, expected);
         t->tuples++;
@@ -147,7 +147,7 @@ static void compare(Test *t)
             if (miss <= t->row->bound)
                 continue;
             t->faults++;
-            if (shown++ < MOST_SHOWN)
+            if (shown++ < MAX_SHOWN)
                 show(t, i, component, expected[component], miss);
         }
     }
@@ -182,7 +182,7 @@ static void call_variants(Test *t)
     static const char *const names[][2] = {{"lattice", "lattice, bounded"},
                                            {"groimp", "groimp, bounded"},
                                            {"simplex", "simplex, bounded"}};
-    char *texts[MOST_VARIANTS];
+    char *texts[MAX_VARIANTS];
     int count = 0;
     for (int i = 0; i < 6; i++) {
         Job job;

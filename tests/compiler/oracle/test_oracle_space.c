@@ -280,20 +280,20 @@ static void test_image_address(void **state)
 {
     (void)state;
     static const struct {
-        Word address;
+        Keyword address;
         double u, smooth, nearest, alpha; /* alpha: of the four */
     } rows[] = {
-        {WORD_Address_repeat, 1.25, .5, 0, .5},  {WORD_Address_repeat, -.25, .5, 1, .5},
-        {WORD_Address_mirror, .75, 1, 1, 0},     {WORD_Address_mirror, 1.25, .5, 1, .5},
-        {WORD_Address_mirror, 1.5, 0, 0, 1},     {WORD_Address_mirror, 1.75, 0, 0, 1},
-        {WORD_Address_mirror, -.25, 0, 0, 1},    {WORD_Address_mirror, -.75, .5, 1, .5},
-        {WORD_Address_mirror, -2.25, 0, 0, 1},   {WORD_Address_mirror, -1e6 - .25, 0, 0, 1},
-        {WORD_Address_clamp, .75, 1, 1, 0},      {WORD_Address_clamp, 7.3, 1, 1, 0},
-        {WORD_Address_clamp, -.25, 0, 0, 1},     {WORD_Address_clamp, -1e30, 0, 0, 1},
-        {WORD_Address_border, .25, .5, 0, .5},   {WORD_Address_border, .625, .75, 1, 0},
-        {WORD_Address_border, -.125, 0, 0, .75}, {WORD_Address_border, .875, .25, 1, 0},
-        {WORD_Address_border, 1.125, 0, 0, 0},   {WORD_Address_border, -.625, 0, 0, 0},
-        {WORD_Address_border, 1e30, 0, 0, 0},
+        {KEYWORD_Address_repeat, 1.25, .5, 0, .5},  {KEYWORD_Address_repeat, -.25, .5, 1, .5},
+        {KEYWORD_Address_mirror, .75, 1, 1, 0},     {KEYWORD_Address_mirror, 1.25, .5, 1, .5},
+        {KEYWORD_Address_mirror, 1.5, 0, 0, 1},     {KEYWORD_Address_mirror, 1.75, 0, 0, 1},
+        {KEYWORD_Address_mirror, -.25, 0, 0, 1},    {KEYWORD_Address_mirror, -.75, .5, 1, .5},
+        {KEYWORD_Address_mirror, -2.25, 0, 0, 1},   {KEYWORD_Address_mirror, -1e6 - .25, 0, 0, 1},
+        {KEYWORD_Address_clamp, .75, 1, 1, 0},      {KEYWORD_Address_clamp, 7.3, 1, 1, 0},
+        {KEYWORD_Address_clamp, -.25, 0, 0, 1},     {KEYWORD_Address_clamp, -1e30, 0, 0, 1},
+        {KEYWORD_Address_border, .25, .5, 0, .5},   {KEYWORD_Address_border, .625, .75, 1, 0},
+        {KEYWORD_Address_border, -.125, 0, 0, .75}, {KEYWORD_Address_border, .875, .25, 1, 0},
+        {KEYWORD_Address_border, 1.125, 0, 0, 0},   {KEYWORD_Address_border, -.625, 0, 0, 0},
+        {KEYWORD_Address_border, 1e30, 0, 0, 0},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         Builder b = {0};
@@ -315,13 +315,13 @@ static void test_image_centres(void **state)
 {
     (void)state;
     static const struct {
-        Word address;
+        Keyword address;
         double u, v, value, nearest;
     } rows[] = {
-        {WORD_Address_repeat, .25, .75, .4, .4}, {WORD_Address_repeat, .375, .25, .25, 0},
-        {WORD_Address_repeat, 0, .25, .5, 0},    {WORD_Address_repeat, .25, .5, .2, .4},
-        {WORD_Address_mirror, 0, .25, 0, 0},     {WORD_Address_mirror, 1.125, .25, 1, 1},
-        {WORD_Address_clamp, .125, .25, 0, 0},   {WORD_Address_border, .875, .25, .75, 1},
+        {KEYWORD_Address_repeat, .25, .75, .4, .4}, {KEYWORD_Address_repeat, .375, .25, .25, 0},
+        {KEYWORD_Address_repeat, 0, .25, .5, 0},    {KEYWORD_Address_repeat, .25, .5, .2, .4},
+        {KEYWORD_Address_mirror, 0, .25, 0, 0},     {KEYWORD_Address_mirror, 1.125, .25, 1, 1},
+        {KEYWORD_Address_clamp, .125, .25, 0, 0},   {KEYWORD_Address_border, .875, .25, .75, 1},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         Builder b = {0};
@@ -329,8 +329,8 @@ static void test_image_centres(void **state)
         Node *smooth = build_image(&b, &image, true), *nearest = build_image(&b, &image, false);
         build_set(smooth, P_ImageMap_address, rows[i].address);
         build_set(nearest, P_ImageMap_address, rows[i].address);
-        build_set(smooth, P_ImageMap_texels, WORD_Texels_centre);
-        build_set(nearest, P_ImageMap_texels, WORD_Texels_centre);
+        build_set(smooth, P_ImageMap_texels, KEYWORD_Texels_centre);
+        build_set(nearest, P_ImageMap_texels, KEYWORD_Texels_centre);
         const Surface s = at_uv(rows[i].u, rows[i].v);
         expect(&b, smooth, R, &s, rows[i].value);
         expect(&b, nearest, R, &s, rows[i].nearest);

@@ -11,8 +11,8 @@
 #include <time.h>
 
 /* A step is some 5 ns; a busy machine and a sanitizer take several times as long. */
-static const double MOST_NANOSECONDS = SANITIZED ? 500 : 60;
-static const double LEAST_SECONDS = 2e-3; /* shorter ones tell nothing */
+static const double MAX_NANOSECONDS = SANITIZED ? 500 : 60;
+static const double MIN_SECONDS = 2e-3; /* shorter ones tell nothing */
 enum { ITEMS = 20000, WAVES = 120, RELIEFS = 3 };
 
 typedef struct {
@@ -116,7 +116,7 @@ static bool is_counted(const Row *row)
     oracle_close(oracle);
     document_close(&d);
     free(text);
-    return seconds < LEAST_SECONDS || nanoseconds <= MOST_NANOSECONDS;
+    return seconds < MIN_SECONDS || nanoseconds <= MAX_NANOSECONDS;
 }
 
 static void work_is_counted(void **state)

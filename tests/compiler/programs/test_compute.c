@@ -14,7 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { COUNT = 200, BEYOND = 7, MOST_NUMBERS = 60 * (COUNT + BEYOND), COMPONENTS = 3 };
+enum { COUNT = 200, BEYOND = 7, MAX_NUMBERS = 60 * (COUNT + BEYOND), COMPONENTS = 3 };
 static const double position_bound = 4e-6, /* in the world, of positions about 2 in size */
     angle_bound = 1e-3;                    /* degrees: floats, of steep slopes */
 static const float untouched = -77;
@@ -138,7 +138,7 @@ static void put_places(const Mass *mass, const Way *way, Reflection *r)
 
 static void run(Rig *rig, const Task *task, Result *result)
 {
-    static float numbers[MOST_NUMBERS];
+    static float numbers[MAX_NUMBERS];
     const Mass *mass = task->mass;
     const Way *way = task->way;
     GlContext *gl = rig->gl;

@@ -11,7 +11,7 @@
 
 #define BLOCK "Material"
 
-enum { MOST_SHOWN = 5, LONGEST = 512 };
+enum { MAX_SHOWN = 5, LONGEST = 512 };
 
 typedef struct {
     GlContext *core, *old;
@@ -21,7 +21,7 @@ typedef struct {
 
 static void fault(Test *t, const char *where, const char *what, const Fact *fact)
 {
-    if (t->failures++ < MOST_SHOWN)
+    if (t->failures++ < MAX_SHOWN)
         print_error("%s: %s: %s %s %s, place %d, size %d\n", where, what, fact_kinds[fact->kind],
                     fact->type, fact->name, fact->place, fact->size);
 }

@@ -13,12 +13,12 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { MOST_STAGES = 4 };
+enum { MAX_STAGES = 4 };
 
 /* Stages that are drawn together, in their order. */
 typedef struct {
-    MatcOutput output[MOST_STAGES];
-    int model[MOST_STAGES], count;
+    MatcOutput output[MAX_STAGES];
+    int model[MAX_STAGES], count;
 } MaterialSet;
 static const MaterialSet sets[] = {
     {{MATC_VERTEX, MATC_FRAGMENT}, {0, 4}, 2},
@@ -141,7 +141,7 @@ static void check_reflection(const char *what, const cJSON *json, const SpirvMod
 static void check_set(const char *what, const MatcProgram *program, const MaterialSet *set,
                       const cJSON *json)
 {
-    static SpirvModule modules[MOST_STAGES];
+    static SpirvModule modules[MAX_STAGES];
     for (int i = 0; i < set->count; i++) {
         size_t size;
         const char *words = matc_spirv(program, set->output[i], &size);

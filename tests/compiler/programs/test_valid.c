@@ -18,14 +18,14 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-enum { MODULES_MOST = 1 << 14, SKIPPED = 77, SHARES = 6 };
+enum { MODULES_MAX = 1 << 14, SKIPPED = 77, SHARES = 6 };
 
 typedef struct {
     DocumentList documents;
     bool spirv_val; /* judges SPIR-V, and nothing else is looked at */
     atomic_int next, programs, faults;
-    pthread_mutex_t lock;           /* of what follows */
-    uint64_t modules[MODULES_MOST]; /* hashes of the SPIR-V that was looked at */
+    pthread_mutex_t lock;          /* of what follows */
+    uint64_t modules[MODULES_MAX]; /* hashes of the SPIR-V that was looked at */
     int module_count;
 } Run;
 
@@ -58,7 +58,7 @@ static bool is_new(Run *run, const char *words, size_t size)
     while (i < run->module_count && run->modules[i] != hash)
         i++;
     bool fresh = i == run->module_count;
-    if (fresh && run->module_count < MODULES_MOST)
+    if (fresh && run->module_count < MODULES_MAX)
         run->modules[run->module_count++] = hash;
     pthread_mutex_unlock(&run->lock);
     return fresh;

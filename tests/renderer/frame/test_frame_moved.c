@@ -190,7 +190,7 @@ static bool may_turn(Scene *scene)
                !scene_indirect_is(scene);
     for (int i = 0; i < scene->light_count; i++) {
         may = may && scene->lights[i].kind != SCENE_Hemisphere;
-        scene->lights[i].shadows = WORD_Shadows_none;
+        scene->lights[i].shadows = KEYWORD_Shadows_none;
     }
     scene->tools.grid = scene->tools.axes = scene->tools.lights = false;
     return may;

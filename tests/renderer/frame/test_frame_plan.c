@@ -200,7 +200,7 @@ static unsigned passes_of(const char *const *names)
  * textures, no two others are alike. */
 static FramePlan plan_of_frame(unsigned allowed, FrameTarget wanted)
 {
-    FramePlanPass rows[FRAME_PLAN_MOST];
+    FramePlanPass rows[FRAME_PLAN_MAX];
     FramePlanTarget targets[FRAME_TARGET_COUNT];
     FramePlan plan;
     for (int i = 0; i < frame_pass_count(); i++)

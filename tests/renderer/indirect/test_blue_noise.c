@@ -9,7 +9,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { EDGE = BLUE_NOISE_EDGE, PIXELS = EDGE * EDGE, FIRST = PIXELS / 10, WIDTH_MOST = EDGE / 2 };
+enum { EDGE = BLUE_NOISE_EDGE, PIXELS = EDGE * EDGE, FIRST = PIXELS / 10, WIDTH_MAX = EDGE / 2 };
 
 static uint32_t near_by[EDGE]
                        /* what a point adds to the crowd of a place so far away: whole numbers, so
@@ -53,8 +53,8 @@ static void make(void)
     memset(crowd, 0, sizeof crowd);
     memset(is_point, 0, sizeof is_point);
     for (int i = 0; i < PIXELS; i++) {
-        const double x = WIDTH_MOST - fabs(i % EDGE - (double)WIDTH_MOST),
-                     y = WIDTH_MOST - fabs((double)(i / EDGE) - WIDTH_MOST);
+        const double x = WIDTH_MAX - fabs(i % EDGE - (double)WIDTH_MAX),
+                     y = WIDTH_MAX - fabs((double)(i / EDGE) - WIDTH_MAX);
         near_by[i / EDGE][i % EDGE] =
             (uint32_t)(1e6 * exp(-(x * x + y * y) / (2 * width * width)) + .5);
     }

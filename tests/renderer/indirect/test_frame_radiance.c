@@ -142,7 +142,7 @@ static const char behind[] =
 static void shares_of(const Tracer *tracer, const SceneLight *light, const Hit *hit,
                       double shares[3])
 {
-    const bool lit = light->shadows == WORD_Shadows_none ||
+    const bool lit = light->shadows == KEYWORD_Shadows_none ||
                      shadow_is_lit(tracer, light, hit->world, hit->microfacet);
     shares[0] = shares[1] = shares[2] = lit;
 }

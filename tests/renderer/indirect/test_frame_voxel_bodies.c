@@ -176,7 +176,7 @@ static void hostile_scenes_give_voxels(void **state)
     int surfaces = 0;
     for (int i = 0; i < 20; i++)
         surfaces += !voxel_bodies_is_body(d.renderer->voxels, i);
-    assert_int_equal(surfaces, 20 - VOXELS_WAVES_MOST);
+    assert_int_equal(surfaces, 20 - VOXELS_WAVES_MAX);
     assert_true(frame_voxels_bit(&d, (int[]){SIZE / 2, SIZE / 2, SIZE / 2}));
     frame_voxels_forget(&d);
 }

@@ -12,12 +12,13 @@ static void sequences_are_as_they_are_published(void **state)
 {
     (void)state;
     static const struct {
-        Word sequence;
+        Keyword sequence;
         double first[5][2];
-    } cases[] = {{WORD_Sequence_hammersley, {{0, 0}, {.2, .5}, {.4, .25}, {.6, .75}, {.8, .125}}},
-                 {WORD_Sequence_halton,
-                  {{0, 0}, {.5, 1. / 3}, {.25, 2. / 3}, {.75, 1. / 9}, {.125, 4. / 9}}},
-                 {WORD_Sequence_sobol, {{0, 0}, {.5, .5}, {.25, .75}, {.75, .25}, {.125, .625}}}};
+    } cases[] = {
+        {KEYWORD_Sequence_hammersley, {{0, 0}, {.2, .5}, {.4, .25}, {.6, .75}, {.8, .125}}},
+        {KEYWORD_Sequence_halton,
+         {{0, 0}, {.5, 1. / 3}, {.25, 2. / 3}, {.75, 1. / 9}, {.125, 4. / 9}}},
+        {KEYWORD_Sequence_sobol, {{0, 0}, {.5, .5}, {.25, .75}, {.75, .25}, {.125, .625}}}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         indirect_sequence_samples(cases[i].sequence, 5, samples);
         for (int k = 0; k < 10; k++)
@@ -33,9 +34,10 @@ static void thirds_are_of_other_bases(void **state)
     static const double five[6] = {0, .2, .4, .6, .8, .04},
                         three[6] = {0, 1. / 3, 2. / 3, 1. / 9, 4. / 9, 7. / 9};
     for (int i = 0; i < 6; i++) {
-        assert_true(fabs(indirect_sequence_third(WORD_Sequence_halton, i) - five[i]) < 1e-15);
-        assert_true(fabs(indirect_sequence_third(WORD_Sequence_sobol, i) - three[i]) < 1e-15);
-        assert_true(fabs(indirect_sequence_third(WORD_Sequence_hammersley, i) - three[i]) < 1e-15);
+        assert_true(fabs(indirect_sequence_third(KEYWORD_Sequence_halton, i) - five[i]) < 1e-15);
+        assert_true(fabs(indirect_sequence_third(KEYWORD_Sequence_sobol, i) - three[i]) < 1e-15);
+        assert_true(fabs(indirect_sequence_third(KEYWORD_Sequence_hammersley, i) - three[i]) <
+                    1e-15);
     }
 }
 
@@ -56,7 +58,7 @@ static void assert_net(int m)
 static void sets_are_nets(void **state)
 {
     (void)state;
-    static const Word sequences[] = {WORD_Sequence_hammersley, WORD_Sequence_sobol};
+    static const Keyword sequences[] = {KEYWORD_Sequence_hammersley, KEYWORD_Sequence_sobol};
     for (int m = 0; m <= 12; m++)
         for (int i = 0; i < 2; i++) {
             indirect_sequence_samples(sequences[i], 1 << m, samples);
@@ -76,7 +78,7 @@ static void tiles_of_sobol_are_nets(void **state)
 {
     (void)state;
     for (int bits = 0; bits <= 5; bits++) {
-        const IndirectSequence of = {WORD_Sequence_sobol, WORD_Rotation_tile, 1 << bits};
+        const IndirectSequence of = {KEYWORD_Sequence_sobol, KEYWORD_Rotation_tile, 1 << bits};
         assert_int_equal(indirect_sequence_edge(&of), 8);
         for (int edge = 1, m = bits; edge <= 8; edge *= 2, m += 2)
             for (int block = 0; block < 64 / (edge * edge); block++) {
@@ -106,7 +108,7 @@ static void sets_of_frames_are_nets(void **state)
     (void)state;
     enum { COUNT = 8, SETS = 16, LOG_COUNT = 3, LOG_SETS = 4, LOG_PIXELS = 6 };
     static double sobol[SETS * COUNT][2];
-    const IndirectSequence of = {WORD_Sequence_sobol, WORD_Rotation_tile, COUNT};
+    const IndirectSequence of = {KEYWORD_Sequence_sobol, KEYWORD_Rotation_tile, COUNT};
     assert_int_equal(indirect_sequence_block(&of), COUNT);
     assert_int_equal(indirect_sequence_block(&(IndirectSequence){of.sequence, of.rotation, 5}), 8);
     indirect_sequence_samples(of.sequence, SETS * COUNT, sobol);
@@ -128,7 +130,7 @@ static void sets_of_frames_are_nets(void **state)
 static void tiles_of_hammersley_are_one_set(void **state)
 {
     (void)state;
-    const IndirectSequence of = {WORD_Sequence_hammersley, WORD_Rotation_tile, 8};
+    const IndirectSequence of = {KEYWORD_Sequence_hammersley, KEYWORD_Rotation_tile, 8};
     static double own[MOST][2];
     indirect_sequence_samples(of.sequence, of.count, own);
     for (int at = 0; at < 16; at++) {
@@ -155,7 +157,7 @@ static void tiles_of_hammersley_are_one_set(void **state)
 static void blue_noise_and_none(void **state)
 {
     (void)state;
-    const IndirectSequence blue = {WORD_Sequence_sobol, WORD_Rotation_blue, 8};
+    const IndirectSequence blue = {KEYWORD_Sequence_sobol, KEYWORD_Rotation_blue, 8};
     const int edge = indirect_sequence_edge(&blue);
     double product[3] = {0};
     for (int i = 0; i < edge * edge; i++) {
@@ -168,11 +170,12 @@ static void blue_noise_and_none(void **state)
     }
     for (int k = 0; k < 3; k++)
         assert_true(fabs(product[k]) < .06);
-    assert_int_equal(
-        indirect_sequence_edge(&(IndirectSequence){WORD_Sequence_sobol, WORD_Rotation_none, 8}), 0);
-    assert_int_equal(
-        indirect_sequence_edge(&(IndirectSequence){WORD_Sequence_sobol, WORD_Rotation_random, 8}),
-        0);
+    assert_int_equal(indirect_sequence_edge(
+                         &(IndirectSequence){KEYWORD_Sequence_sobol, KEYWORD_Rotation_none, 8}),
+                     0);
+    assert_int_equal(indirect_sequence_edge(
+                         &(IndirectSequence){KEYWORD_Sequence_sobol, KEYWORD_Rotation_random, 8}),
+                     0);
 }
 
 int main(void)

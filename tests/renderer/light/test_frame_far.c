@@ -91,7 +91,7 @@ static void buffers_are_counted(void **state)
         const size_t bytes = storage_bytes - before;
         assert_true(bytes > 2 * pixels); /* they are there */
         assert_int_equal(renderer_pixel_bytes(renderer), others + 4);
-        if (renderer_tile_height(renderer) > RENDERER_TILE_LEAST)
+        if (renderer_tile_height(renderer) > RENDERER_TILE_MIN)
             assert_true(others * pixels + bytes <= (memories[i] ? memories[i] : RENDERER_MEMORY));
         char *graph = frame_graph(renderer), reported[128];
         snprintf(reported, sizeof reported,

@@ -36,7 +36,7 @@ static MatcOptions options_of(void)
 static Scene *read_example(const char *name, const MatcOptions *options, MatcDocument **document)
 {
     Scene *scene = frame_example(name, WIDTH, options, document);
-    scene->indirect.method = WORD_Indirect_march; /* so that there is ambient occlusion */
+    scene->indirect.method = KEYWORD_Indirect_march; /* so that there is ambient occlusion */
     return scene;
 }
 

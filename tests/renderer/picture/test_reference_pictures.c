@@ -12,7 +12,7 @@
 
 #define FOLDER SOURCE_FOLDER "/tests/reference/"
 
-enum { FLOATS, INTEGER, DEFAULT, LAYOUTS, MOST_TEXT = 1 << 16 };
+enum { FLOATS, INTEGER, DEFAULT, LAYOUTS, MAX_TEXT_BYTES = 1 << 16 };
 static const char *const layouts[LAYOUTS] = {"floats", "integer", "default"};
 
 /* How close frames have to be: half of the pixels, and 99.9 %. */
@@ -58,8 +58,8 @@ static char *read_text(const char *path, size_t *size)
     FILE *file = fopen(path, "rb");
     if (!file)
         fail_msg("%s is not there", path);
-    char *text = calloc(1, MOST_TEXT);
-    *size = fread(text, 1, MOST_TEXT - 1, file);
+    char *text = calloc(1, MAX_TEXT_BYTES);
+    *size = fread(text, 1, MAX_TEXT_BYTES - 1, file);
     fclose(file);
     return text;
 }

@@ -108,7 +108,7 @@ static void tiles_fit_the_memory(void **state)
         size_t memory;
         int rows;
     } cases[] = {{0, HEIGHT},
-                 {1, RENDERER_TILE_LEAST},
+                 {1, RENDERER_TILE_MIN},
                  {200 * 32 * 51, 50},
                  {200 * 32 * 100 - 1, 98},
                  {200 * 32 * 100, 100}};
@@ -189,7 +189,7 @@ static void memory_does_not_grow(void **state)
         gl_close(gl); /* the counters stand in it */
         gl = frame_context();
     }
-    assert_true(texels[0] > SMALL * RENDERER_TILE_LEAST && texels[1] <= texels[0]);
+    assert_true(texels[0] > SMALL * RENDERER_TILE_MIN && texels[1] <= texels[0]);
     gl_close(gl);
     frame_forget(scene, document);
 }

@@ -239,9 +239,9 @@ static void count_pictures(const Node *node, Pictures *found)
 {
     if (node && node->kind == KIND_ImageMap) {
         const bool srgb =
-            node_param(node, P_ImageMap_colorspace)->number[0] == WORD_ColorSpace_srgb;
+            node_param(node, P_ImageMap_colorspace)->number[0] == KEYWORD_ColorSpace_srgb;
         found->srgb += srgb, found->linear += !srgb;
-        found->centred += node_param(node, P_ImageMap_texels)->number[0] == WORD_Texels_centre;
+        found->centred += node_param(node, P_ImageMap_texels)->number[0] == KEYWORD_Texels_centre;
     }
     for (int i = 0; node && i < kind_table[node->kind].count; i++) {
         const Value *value = &node->params[i];

@@ -190,15 +190,15 @@ static void methods_of_shadows(void **state)
                       "{ light: Directional, shadows: none }, { light: Point, shadows: false }, "
                       "{ light: Ambient }]\n",
                   &document);
-    const Word reported[] = {WORD_Shadows_map,  WORD_Shadows_map,  WORD_Shadows_map,
-                             WORD_Shadows_none, WORD_Shadows_none, WORD_Shadows_none};
+    const Keyword reported[] = {KEYWORD_Shadows_map,  KEYWORD_Shadows_map,  KEYWORD_Shadows_map,
+                                KEYWORD_Shadows_none, KEYWORD_Shadows_none, KEYWORD_Shadows_none};
     assert_int_equal(scene->light_count, 6);
     for (int i = 0; i < 6; i++)
         assert_int_equal(scene->lights[i].shadows, reported[i]);
-    scene_lights_shadow(scene, WORD_Shadows_none);
+    scene_lights_shadow(scene, KEYWORD_Shadows_none);
     for (int i = 0; i < 6; i++)
         assert_false(scene_light_casts(&scene->lights[i]));
-    scene_lights_shadow(scene, WORD_Shadows_map);
+    scene_lights_shadow(scene, KEYWORD_Shadows_map);
     for (int i = 0; i < 6; i++)
         assert_false(scene_light_casts(&scene->lights[i]));
     forget(scene, document);
@@ -286,22 +286,23 @@ static void presets_of_indirect(void **state)
     (void)state;
     static const struct {
         const char *keys;
-        Word method, filter;
+        Keyword method, filter;
         int rays, steps, coarse;
         double radius;
     } cases[] = {
-        {"preset: none", WORD_Indirect_auto, WORD_Filter_separable, 8, 0, 1, 0},
-        {"quality: normal", WORD_Indirect_auto, WORD_Filter_separable, 8, 0, 1, 0},
-        {"quality: draft", WORD_Indirect_auto, WORD_Filter_separable, 2, 0, 1, 0},
-        {"quality: fine, method: screen", WORD_Indirect_screen, WORD_Filter_atrous, 64, 0, 1, 0},
-        {"filter: none, quality: fine", WORD_Indirect_auto, WORD_Filter_none, 64, 0, 1, 0},
-        {"quality: fine, preset: thesisPoints", WORD_Indirect_points, WORD_Filter_none, 32, 0, 1,
-         1.5},
-        {"preset: thesisBuddha", WORD_Indirect_march, WORD_Filter_none, 32, 32, 1, 4},
-        {"rays: 5, preset: thesisBuddha, method: voxels", WORD_Indirect_voxels, WORD_Filter_none, 5,
-         32, 1, 4},
-        {"preset: thesisPoints, filter: separable", WORD_Indirect_points, WORD_Filter_separable, 32,
-         0, 1, 1.5},
+        {"preset: none", KEYWORD_Indirect_auto, KEYWORD_Filter_separable, 8, 0, 1, 0},
+        {"quality: normal", KEYWORD_Indirect_auto, KEYWORD_Filter_separable, 8, 0, 1, 0},
+        {"quality: draft", KEYWORD_Indirect_auto, KEYWORD_Filter_separable, 2, 0, 1, 0},
+        {"quality: fine, method: screen", KEYWORD_Indirect_screen, KEYWORD_Filter_atrous, 64, 0, 1,
+         0},
+        {"filter: none, quality: fine", KEYWORD_Indirect_auto, KEYWORD_Filter_none, 64, 0, 1, 0},
+        {"quality: fine, preset: thesisPoints", KEYWORD_Indirect_points, KEYWORD_Filter_none, 32, 0,
+         1, 1.5},
+        {"preset: thesisBuddha", KEYWORD_Indirect_march, KEYWORD_Filter_none, 32, 32, 1, 4},
+        {"rays: 5, preset: thesisBuddha, method: voxels", KEYWORD_Indirect_voxels,
+         KEYWORD_Filter_none, 5, 32, 1, 4},
+        {"preset: thesisPoints, filter: separable", KEYWORD_Indirect_points,
+         KEYWORD_Filter_separable, 32, 0, 1, 1.5},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         char text[1024];

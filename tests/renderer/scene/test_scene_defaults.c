@@ -33,7 +33,7 @@ typedef struct {
     {A_VECTOR, #kind, #key, init, least, greatest, unit},
 #define TRUTH(kind, key, init) {A_TRUTH, #kind, #key, {init}, -INFINITY, INFINITY, ""},
 #define CHOICE(kind, key, list, word)                                                              \
-    {A_CHOICE, #kind, #key, {WORD_##list##_##word}, -INFINITY, INFINITY, ""},
+    {A_CHOICE, #kind, #key, {KEYWORD_##list##_##word}, -INFINITY, INFINITY, ""},
 #define NOTHING(kind, key) {A_NOTHING, #kind, #key, {0}, -INFINITY, INFINITY, ""},
 static const Default defaults[] = {
 #include "tests/scene_defaults.def"
@@ -113,8 +113,8 @@ static bool is_preset(const ScenePresetRow *row, const Preset *preset)
     const SceneParamRow *key = &scene_param_table[row->key];
     return !strcmp(scene_kind_table[key->kind].name, preset->kind) &&
            !strcmp(key->param.name, preset->key) &&
-           !strcmp(word_table[row->word].name, preset->word) &&
-           word_table[row->word].list == key->param.type &&
+           !strcmp(keyword_table[row->word].name, preset->word) &&
+           keyword_table[row->word].list == key->param.type &&
            !strcmp(scene_param_table[row->param].param.name, preset->name) &&
            row->value == preset->value;
 }

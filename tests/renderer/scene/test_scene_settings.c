@@ -65,8 +65,8 @@ static const Row shadow_rows[] = {
       .shadow_filter = 1,
       .shadow_cascades = 1,
       .shadow_points = 5,
-      .shadow_volume = WORD_Volume_perfect,
-      .shadow_path = WORD_Path_auto,
+      .shadow_volume = KEYWORD_Volume_perfect,
+      .shadow_path = KEYWORD_Path_auto,
       .shadow_offset = 1,
       .shadow_colored = true}},
     {"shadowMaps: { size: 256, filter: 3, cascades: 4, areaPoints: 7, colored: false, "
@@ -75,8 +75,8 @@ static const Row shadow_rows[] = {
       .shadow_filter = 3,
       .shadow_cascades = 4,
       .shadow_points = 7,
-      .shadow_volume = WORD_Volume_blurred,
-      .shadow_path = WORD_Path_copy,
+      .shadow_volume = KEYWORD_Volume_blurred,
+      .shadow_path = KEYWORD_Path_copy,
       .shadow_offset = 2.5,
       .shadow_stretched = true}},
 };
@@ -94,36 +94,39 @@ static void check_shadows(const Scene *is, const Scene *should_be, const char *t
     CHECK(shadow_colored);
 }
 
-#define DIVIDING .skirts = WORD_Skirts_auto, .near = 4, .detail = 250, .symbol = WORD_Symbol_square
+#define DIVIDING                                                                                   \
+    .skirts = KEYWORD_Skirts_auto, .near = 4, .detail = 250, .symbol = KEYWORD_Symbol_square
 
 static const Row displacement_rows[] = {
     {"",
-     {.displaced_by = WORD_Displacing_mesh, .displaced_triangles = 131072, .dividing = {DIVIDING}}},
+     {.displaced_by = KEYWORD_Displacing_mesh,
+      .displaced_triangles = 131072,
+      .dividing = {DIVIDING}}},
     {"displacement: { level: 9, triangles: 77 }\n",
-     {.displaced_by = WORD_Displacing_mesh,
+     {.displaced_by = KEYWORD_Displacing_mesh,
       .displaced_level = 9,
       .displaced_triangles = 77,
       .dividing = {DIVIDING}}},
     {"displacement: { method: bisection, pixels: .5, triangles: 5000 }\n",
-     {.displaced_by = WORD_Displacing_bisection,
+     {.displaced_by = KEYWORD_Displacing_bisection,
       .displaced_pixels = .5,
       .displaced_triangles = 5000,
       .dividing = {DIVIDING}}},
     {"displacement: { method: points, level: 3, spread: .75, symbol: sphere }\n",
-     {.displaced_by = WORD_Displacing_points,
+     {.displaced_by = KEYWORD_Displacing_points,
       .displaced_level = 3,
       .displaced_triangles = 131072,
-      .dividing = {.skirts = WORD_Skirts_auto,
+      .dividing = {.skirts = KEYWORD_Skirts_auto,
                    .near = 4,
                    .detail = 250,
                    .spread = .75,
-                   .symbol = WORD_Symbol_sphere}}},
+                   .symbol = KEYWORD_Symbol_sphere}}},
     {"displacement: { method: feedback, near: -3, detail: 40, steps: 5, push: 2, bulge: .25, "
      "skirts: borders }\n",
-     {.displaced_by = WORD_Displacing_feedback,
+     {.displaced_by = KEYWORD_Displacing_feedback,
       .displaced_triangles = 131072,
-      .dividing = {.skirts = WORD_Skirts_borders,
-                   .symbol = WORD_Symbol_square,
+      .dividing = {.skirts = KEYWORD_Skirts_borders,
+                   .symbol = KEYWORD_Symbol_square,
                    .near = -3,
                    .detail = 40,
                    .push = 2,
@@ -237,28 +240,29 @@ static void all_parts_at_once(void **state)
 }
 
 #define NUMBERS                                                                                    \
-    .samples = 1, .contrast = 1, .weight = WORD_Weight_none,                                       \
-    .distribution = WORD_Distribution_cosine, .bounces = 1, .gain = 1, .moving = 1
+    .samples = 1, .contrast = 1, .weight = KEYWORD_Weight_none,                                    \
+    .distribution = KEYWORD_Distribution_cosine, .bounces = 1, .gain = 1, .moving = 1
 #define DEFAULTS NUMBERS, .jitter = true, .checked = true, .directional = true
 #define AUTO                                                                                       \
-    .method = WORD_Indirect_auto, .rays = 8, .coarse = 1, .march = WORD_March_space, NOISE, SMOOTH
-#define NOISE  .sequence = WORD_Sequence_sobol, .rotation = WORD_Rotation_tile
-#define SMOOTH .filter = WORD_Filter_separable
+    .method = KEYWORD_Indirect_auto, .rays = 8, .coarse = 1, .march = KEYWORD_March_space, NOISE,  \
+    SMOOTH
+#define NOISE  .sequence = KEYWORD_Sequence_sobol, .rotation = KEYWORD_Rotation_tile
+#define SMOOTH .filter = KEYWORD_Filter_separable
 /* Values that the thesis' presets share: Hammersley's points, random shifts and no filter. */
 #define THESIS                                                                                     \
-    DEFAULTS, .coarse = 1, .sequence = WORD_Sequence_hammersley, .rotation = WORD_Rotation_random, \
-              .filter = WORD_Filter_none
-#define THESIS_MARCH .method = WORD_Indirect_march, THESIS
+    DEFAULTS, .coarse = 1, .sequence = KEYWORD_Sequence_hammersley,                                \
+              .rotation = KEYWORD_Rotation_random, .filter = KEYWORD_Filter_none
+#define THESIS_MARCH .method = KEYWORD_Indirect_march, THESIS
 
 static const struct {
     const char *text;
     SceneIndirect indirect;
 } indirect_rows[] = {
     {"",
-     {.method = WORD_Indirect_none,
+     {.method = KEYWORD_Indirect_none,
       .rays = 8,
       .coarse = 1,
-      .march = WORD_March_space,
+      .march = KEYWORD_March_space,
       DEFAULTS,
       NOISE,
       SMOOTH}},
@@ -271,7 +275,7 @@ static const struct {
      "distribution: uniform, sequence: halton, rotation: blue, jitter: false, march: picture, "
      "checked: false, bounces: 3, gain: 4, resolution: quarter, moving: half, filter: atrous, "
      "filterSize: 11, directional: false, dimsDirect: true }\n",
-     {.method = WORD_Indirect_screen,
+     {.method = KEYWORD_Indirect_screen,
       .rays = 5,
       .samples = 6,
       .steps = 9,
@@ -281,12 +285,12 @@ static const struct {
       .offset = .25,
       .thickness = .75,
       .contrast = 1.5,
-      .weight = WORD_Weight_quadratic,
-      .distribution = WORD_Distribution_uniform,
-      .sequence = WORD_Sequence_halton,
-      .rotation = WORD_Rotation_blue,
-      .march = WORD_March_picture,
-      .filter = WORD_Filter_atrous,
+      .weight = KEYWORD_Weight_quadratic,
+      .distribution = KEYWORD_Distribution_uniform,
+      .sequence = KEYWORD_Sequence_halton,
+      .rotation = KEYWORD_Rotation_blue,
+      .march = KEYWORD_March_picture,
+      .filter = KEYWORD_Filter_atrous,
       .filter_size = 11,
       .coarse = 4,
       .moving = 2,
@@ -294,35 +298,35 @@ static const struct {
       .bounces = 3,
       .gain = 4}},
     {"indirect: { quality: draft }\n",
-     {.method = WORD_Indirect_auto,
+     {.method = KEYWORD_Indirect_auto,
       .rays = 2,
       .coarse = 1,
-      .march = WORD_March_space,
+      .march = KEYWORD_March_space,
       DEFAULTS,
       NOISE,
       SMOOTH}},
     {"indirect: { quality: fine }\n",
-     {.method = WORD_Indirect_auto,
+     {.method = KEYWORD_Indirect_auto,
       .rays = 64,
       .coarse = 1,
-      .march = WORD_March_space,
+      .march = KEYWORD_March_space,
       DEFAULTS,
       NOISE,
-      .filter = WORD_Filter_atrous}},
+      .filter = KEYWORD_Filter_atrous}},
     {"indirect: { preset: thesisMarch }\n",
-     {.rays = 12, .steps = 10, .radius = 1.5, .march = WORD_March_space, THESIS_MARCH}},
+     {.rays = 12, .steps = 10, .radius = 1.5, .march = KEYWORD_March_space, THESIS_MARCH}},
     {"indirect: { preset: thesisPoints }\n",
      {.rays = 32,
       .radius = 1.5,
-      .march = WORD_March_space,
-      .method = WORD_Indirect_points,
+      .march = KEYWORD_March_space,
+      .method = KEYWORD_Indirect_points,
       THESIS}},
     {"indirect: { preset: thesisBuddha }\n",
-     {.rays = 32, .steps = 32, .radius = 4, .march = WORD_March_voxels, THESIS_MARCH}},
+     {.rays = 32, .steps = 32, .radius = 4, .march = KEYWORD_March_voxels, THESIS_MARCH}},
     {"indirect: { preset: thesisSheep }\n",
-     {.rays = 24, .steps = 20, .radius = 3.5, .march = WORD_March_voxels, THESIS_MARCH}},
+     {.rays = 24, .steps = 20, .radius = 3.5, .march = KEYWORD_March_voxels, THESIS_MARCH}},
     {"indirect: { preset: thesisDragons }\n",
-     {.rays = 32, .steps = 20, .radius = 3.5, .march = WORD_March_voxels, THESIS_MARCH}},
+     {.rays = 32, .steps = 20, .radius = 3.5, .march = KEYWORD_March_voxels, THESIS_MARCH}},
 };
 
 static void check_indirect(const SceneIndirect *is, const SceneIndirect *should_be,
@@ -369,7 +373,7 @@ static void indirect_light(void **state)
 }
 
 /* Writes what a word of `quality` stands for, from the table: "rays: 4, resolution: half". */
-static void put_keys(Word word, char *text, size_t size)
+static void put_keys(Keyword word, char *text, size_t size)
 {
     *text = 0;
     for (int i = 0; i < scene_preset_count; i++) {
@@ -380,7 +384,7 @@ static void put_keys(Word word, char *text, size_t size)
             continue;
         if (param_is_word(param))
             snprintf(text + at, size - at, "%s%s: %s", at ? ", " : "", param->name,
-                     word_table[(int)row->value].name);
+                     keyword_table[(int)row->value].name);
         else
             snprintf(text + at, size - at, "%s%s: %.17g", at ? ", " : "", param->name, row->value);
     }
@@ -390,14 +394,14 @@ static void put_keys(Word word, char *text, size_t size)
 static void quality_is_its_keys(void **state)
 {
     (void)state;
-    for (Word word = WORD_Quality_draft; word <= WORD_Quality_fine; word++) {
+    for (Keyword word = KEYWORD_Quality_draft; word <= KEYWORD_Quality_fine; word++) {
         char keys[512], by_keys[1024], by_quality[1024];
         MatcDocument *documents[2];
         put_keys(word, keys, sizeof keys);
-        assert_true((*keys != 0) == (word != WORD_Quality_normal));
+        assert_true((*keys != 0) == (word != KEYWORD_Quality_normal));
         snprintf(by_keys, sizeof by_keys, LIT_SPHERE "indirect: { %s }\n", keys);
         snprintf(by_quality, sizeof by_quality, LIT_SPHERE "indirect: { quality: %s }\n",
-                 word_table[word].name);
+                 keyword_table[word].name);
         Scene *a = read_fine(by_keys, &documents[0]), *b = read_fine(by_quality, &documents[1]);
         check_indirect(&b->indirect, &a->indirect, by_quality);
         forget(a, documents[0]);

@@ -13,8 +13,8 @@
 /* -- Lights ------------------------------------------------------------------------------------ */
 
 #define DOWN .direction = {0, 0, -1}
-#define NO   .shadows = WORD_Shadows_none
-#define MAP  .shadows = WORD_Shadows_map
+#define NO   .shadows = KEYWORD_Shadows_none
+#define MAP  .shadows = KEYWORD_Shadows_map
 
 static const struct {
     const char *keys;
@@ -26,9 +26,9 @@ static const struct {
       .position = {1, -2, 3},
       DOWN,
       .light = {4, 2, 16},
-      .shadows = WORD_Shadows_silhouette}},
+      .shadows = KEYWORD_Shadows_silhouette}},
     {"light: Point, intensity: 0, shadows: exact",
-     {.kind = SCENE_Point, DOWN, .shadows = WORD_Shadows_exact}},
+     {.kind = SCENE_Point, DOWN, .shadows = KEYWORD_Shadows_exact}},
     {"light: Spot",
      {.kind = SCENE_Spot,
       DOWN,
@@ -44,7 +44,7 @@ static const struct {
       .light = {12, 6, 3},
       .inner_cosine = .5,
       .outer_cosine = 0,
-      .shadows = WORD_Shadows_hybrid}},
+      .shadows = KEYWORD_Shadows_hybrid}},
     {"light: Spot, innerAngle: 45, outerAngle: 180, shadows: false",
      {.kind = SCENE_Spot,
       DOWN,
@@ -192,7 +192,7 @@ static void suns_of_skies(void **state)
             same(sun->direction[k], suns[i].direction[k], "direction", text);
             if (!(fabs(sun->light[k] - light) <= .01 * light))
                 fail_msg("light[%d] is %g, not %g:\n%s", k, sun->light[k], light, text);
-            assert_true(sun->kind == SCENE_Directional && sun->shadows == WORD_Shadows_map);
+            assert_true(sun->kind == SCENE_Directional && sun->shadows == KEYWORD_Shadows_map);
         }
         forget(scene, document);
     }

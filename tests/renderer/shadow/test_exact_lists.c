@@ -203,10 +203,10 @@ static void count_cells(const Things *things, const Made *made, int light, Count
 
 /* -- */
 
-#define EXACT .shadows = WORD_Shadows_exact
+#define EXACT .shadows = KEYWORD_Shadows_exact
 static SceneLight lights[] = {
     {.kind = SCENE_Point, EXACT, .position = {.1, .2, .3}}, /* among the triangles */
-    {.kind = SCENE_Point, .shadows = WORD_Shadows_map},
+    {.kind = SCENE_Point, .shadows = KEYWORD_Shadows_map},
     {.kind = SCENE_Point, EXACT, .position = {4, 1, 2}},
     {.kind = SCENE_Spot,
      EXACT,

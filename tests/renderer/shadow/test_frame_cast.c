@@ -48,7 +48,7 @@ static bool has_cut_outs(const Scene *scene)
  * is transparent is lit at a point that is lifted by 1/64 of a pixel, 0.001. */
 static double texel_at(const Scene *scene, const SceneLight *light, const double point[3])
 {
-    if (light->shadows == WORD_Shadows_exact && !has_cut_outs(scene))
+    if (light->shadows == KEYWORD_Shadows_exact && !has_cut_outs(scene))
         return 0.003;
     const bool far = scene->objects[0].numbers[0] == FAR;
     const double reach = far ? reach_of_cascade(scene, point) : 11.5; /* across all objects */

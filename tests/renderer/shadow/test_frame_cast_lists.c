@@ -10,7 +10,7 @@
 
 /* -- a product, by its closed form */
 
-enum { PANES_MOST = 10, TEXT = 8192 };
+enum { PANES_MAX = 10, TEXT = 8192 };
 
 /* From under panes and under an infinite plane of glass: on the ground, which is an infinite plane
  * as well. */
@@ -64,7 +64,7 @@ static void products(void **state)
     MatcLayout *layout;
     const MatcOptions options = frame_float_options(&layout);
     GlContext *gl = frame_context();
-    for (int panes = 0; panes <= PANES_MOST; panes += 5) {
+    for (int panes = 0; panes <= PANES_MAX; panes += 5) {
         const double off =
             panes_off(gl, panes, &(RendererOptions){.compile = &options, .view = "light"});
         print_message("%2d panes and a plane: off by %.2g\n", panes, off);
@@ -87,7 +87,7 @@ static void products_in_parts(void **state)
                                         .view = "light",
                                         .list_bytes = 100000 + 100000 * (size_t)i,
                                         .fragment = i == 1};
-        const double off = panes_off(gl, PANES_MOST, &choice);
+        const double off = panes_off(gl, PANES_MAX, &choice);
         print_message("in parts of %lu bytes: off by %.2g\n", (unsigned long)choice.list_bytes,
                       off);
         assert_true(off <= 1e-6);

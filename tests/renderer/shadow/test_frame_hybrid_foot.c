@@ -80,7 +80,7 @@ static double begin_of(const float *shares)
 }
 
 /* Where shadows begin on the floor, by the method. */
-static double begin_by(const ShadowPair *pair, Scene *scene, Word method)
+static double begin_by(const ShadowPair *pair, Scene *scene, Keyword method)
 {
     scene->lights[0].shadows = method;
     float *shares = shadow_pair_shares(pair, scene);
@@ -104,13 +104,13 @@ static void light_comes_through_at_a_foot(void **state)
         scene->mesh_count = 1;
         scene->objects[0].kind = SCENE_Mesh;
         scene->objects[0].mesh = 0;
-        const double begin = begin_by(&pair, scene, WORD_Shadows_hybrid);
+        const double begin = begin_by(&pair, scene, KEYWORD_Shadows_hybrid);
         const double wall =
             wall_at(&pair.renders[0]->shadows->views.views[0], scene->shadow_size, &gap);
         print_message("a centre at %.4f: the floor is dark from %.4f on, by the closed form %.4f\n",
                       gap, begin, wall);
         assert_true(fabs(begin - wall) < 1.2 / 640);
-        assert_true(begin_by(&pair, scene, WORD_Shadows_exact) < 1.2 / 640);
+        assert_true(begin_by(&pair, scene, KEYWORD_Shadows_exact) < 1.2 / 640);
         narrowest = fmin(narrowest, wall);
         widest = fmax(widest, wall);
         scene->mesh_count = 0;

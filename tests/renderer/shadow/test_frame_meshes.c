@@ -12,7 +12,7 @@
 enum { PIXELS = 768 }; /* of 320 a dozen wrong ones would be the figure */
 typedef struct {
     const char *mesh, *method;
-    Word volume;
+    Keyword volume;
     double most[SHADOW_ENDS_RECEIVERS]; /* texels */
 } Case;
 
@@ -41,7 +41,7 @@ static void ends_are_true(void **state)
     static const Case cases[] = {
         {"bunny", "exact", 0, {.005, .006, .003, .002}},
         {"bunny", "silhouette", 0, {.017, .036, .026, .025}},
-        {"bunny", "hybrid", WORD_Volume_silhouette, {.04, .09, .048, .066}},
+        {"bunny", "hybrid", KEYWORD_Volume_silhouette, {.04, .09, .048, .066}},
         {"dragon-small", "exact", 0, {.002, .03, .003, .003}},
         {"dragon-small", "silhouette", 0, {.02, .06, .043, .03}}};
     const Case one = {alone, "exact", 0, {.005, .03, .005, .005}};

@@ -44,9 +44,9 @@ static void share_of_views(const Renderer *renderer, bool nearest, ShadowMethodT
 /* `even`: casters whose transparency does not vary have no maps, so that the light's share is all.
  */
 static const ShadowMethod by_lights = {
-    .word = WORD_Shadows_exact, .even = true, .text = share_of_lights};
+    .word = KEYWORD_Shadows_exact, .even = true, .text = share_of_lights};
 static const ShadowMethod by_views = {
-    .word = WORD_Shadows_exact, .views = true, .single = true, .text = share_of_views};
+    .word = KEYWORD_Shadows_exact, .views = true, .single = true, .text = share_of_views};
 
 /* -- pictures */
 
@@ -104,13 +104,13 @@ static void a_technique_answers_for_views(void **state)
 /* A name of the list Shadows selects its row, and every row has one. */
 static void rows_have_words(void **state)
 {
-    const SceneLight light = {.kind = SCENE_Point, .shadows = WORD_Shadows_exact},
-                     dark = {.kind = SCENE_Point, .shadows = WORD_Shadows_none};
+    const SceneLight light = {.kind = SCENE_Point, .shadows = KEYWORD_Shadows_exact},
+                     dark = {.kind = SCENE_Point, .shadows = KEYWORD_Shadows_none};
     const ShadowMethod *const rows[] = {shadow_methods[0], &by_lights, NULL};
     (void)state;
     assert_ptr_equal(shadow_method_of(rows, &light), &by_lights);
     assert_null(shadow_method_of(rows, &dark));
-    assert_string_equal(word_table[shadow_methods[0]->word].name, "map");
+    assert_string_equal(keyword_table[shadow_methods[0]->word].name, "map");
 }
 
 int main(void)

@@ -273,10 +273,10 @@ static void methods(void **state)
     const MatcOptions options = lean_options();
     MatcDocument *document;
     Scene *scene = scene_of(&cases[0], &options, &document);
-    scene_lights_shadow(scene, WORD_Shadows_exact);
-    assert_int_equal(scene->lights[0].shadows, WORD_Shadows_map);
-    scene_lights_shadow(scene, WORD_Shadows_none);
-    assert_int_equal(scene->lights[0].shadows, WORD_Shadows_none);
+    scene_lights_shadow(scene, KEYWORD_Shadows_exact);
+    assert_int_equal(scene->lights[0].shadows, KEYWORD_Shadows_map);
+    scene_lights_shadow(scene, KEYWORD_Shadows_none);
+    assert_int_equal(scene->lights[0].shadows, KEYWORD_Shadows_none);
     frame_forget(scene, document);
 }
 

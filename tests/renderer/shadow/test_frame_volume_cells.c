@@ -84,9 +84,9 @@ static void ends_are_near(void **state)
     Shape knot = shadow_knot();
     shadow_pair_open(GL_KIND_osmesa, &pair);
     for (int i = 0; i < SHADOW_ENDS_RECEIVERS; i++) {
-        ShadowEnds ends = {&knot, "hybrid", (ShadowEndsReceiver)i, false, WORD_Volume_plain, 0};
+        ShadowEnds ends = {&knot, "hybrid", (ShadowEndsReceiver)i, false, KEYWORD_Volume_plain, 0};
         const double plain = shadow_ends_distance(&pair, &ends);
-        ends.volume = WORD_Volume_silhouette;
+        ends.volume = KEYWORD_Volume_silhouette;
         const double cut = shadow_ends_distance(&pair, &ends);
         print_message("ends on %s: %.4f texels off, plain volumes %.4f\n", shadow_ends_receivers[i],
                       cut, plain);
@@ -205,18 +205,19 @@ static void glass_is_lit_as_floors_are(void **state)
 /* A light is moved, and has a method; an object is. */
 typedef struct {
     int light;
-    Word method;
+    Keyword method;
     double moved;
 } Step;
 
 static void what_changes_is_as_new(void **state)
 {
     (void)state;
-    static const Step steps[] = {{1, WORD_Shadows_hybrid, .7},      {1, WORD_Shadows_hybrid, 0},
-                                 {0, WORD_Shadows_map, 0},          {1, WORD_Shadows_exact, .1},
-                                 {2, WORD_Shadows_hybrid, 0},       {1, WORD_Shadows_silhouette, 0},
-                                 {2, WORD_Shadows_none, .1},        {1, WORD_Shadows_none, 0},
-                                 {0, WORD_Shadows_silhouette, -.2}, {1, WORD_Shadows_hybrid, 0}};
+    static const Step steps[] = {
+        {1, KEYWORD_Shadows_hybrid, .7},      {1, KEYWORD_Shadows_hybrid, 0},
+        {0, KEYWORD_Shadows_map, 0},          {1, KEYWORD_Shadows_exact, .1},
+        {2, KEYWORD_Shadows_hybrid, 0},       {1, KEYWORD_Shadows_silhouette, 0},
+        {2, KEYWORD_Shadows_none, .1},        {1, KEYWORD_Shadows_none, 0},
+        {0, KEYWORD_Shadows_silhouette, -.2}, {1, KEYWORD_Shadows_hybrid, 0}};
     const MatcOptions options = frame_exact_options();
     const RendererOptions how = {.compile = &options, .view = "light"};
     GlContext *gl = frame_context_of(GL_KIND_osmesa);

@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { SIZE = 8, MOST_LAYERS = 40 };
+enum { SIZE = 8, MAX_LAYERS = 40 };
 
 /* -- panes before the eye, against the sum in closed form */
 
@@ -29,7 +29,7 @@ static void random_panes(Pane *panes, int count)
 /* Panes at z = count, count - 1, ..., which emit light, before a sky, in an order that is mixed. */
 static void write_panes(const Pane *panes, int count, char *text, size_t room)
 {
-    int order[MOST_LAYERS];
+    int order[MAX_LAYERS];
     size_t size = (size_t)snprintf(
         text, room,
         "image: { width: 8, height: 8 }\ncamera: { camera: Perspective, position: [0, 0, "
@@ -158,7 +158,7 @@ static void layers_are_their_closed_form(void **state)
         double bound;
     } cases[] = {{1, 1e-6}, {10, 1e-6}, {40, 1e-5}};
     static char text[1 << 15];
-    Pane panes[MOST_LAYERS];
+    Pane panes[MAX_LAYERS];
     srand(1);
     for (size_t i = 0; i < WAYS * sizeof cases / sizeof *cases; i++) {
         const int count = cases[i / WAYS].count;
