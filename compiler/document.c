@@ -25,7 +25,7 @@ static MatcDocument *make(const char *name, const char *text, size_t size,
     const Source source = {.name = arena_string(&d->arena, name, strlen(name)),
                            .text = arena_string(&d->arena, text ? text : "", size),
                            .size = size};
-    ARENA_PUSH(&d->arena, d->session.sources, d->session.source_count, d->session.source_room,
+    ARENA_PUSH(&d->arena, d->session.sources, d->session.source_count, d->session.source_capacity,
                source);
     session_depend_on(&d->session, source.name);
     return d;

@@ -34,7 +34,7 @@ MatcLayout *matc_layout_read(const char *name, const char *text, size_t size,
     const Source source = {.name = arena_string(session->arena, name, strlen(name)),
                            .text = arena_string(session->arena, text ? text : "", size),
                            .size = size};
-    ARENA_PUSH(session->arena, session->sources, session->source_count, session->source_room,
+    ARENA_PUSH(session->arena, session->sources, session->source_count, session->source_capacity,
                source);
     if (!text)
         diag_add(session, NO_SPAN, DIAG_null_argument, "text");

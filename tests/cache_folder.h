@@ -9,11 +9,11 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { HEADER = 40, PATH_ROOM = 256 }; /* bytes of an entry before its own */
+enum { HEADER = 40, PATH_CAPACITY = 256 }; /* bytes of an entry before its own */
 
 typedef struct {
-    char root[PATH_ROOM / 2]; /* made for the test, removed after it */
-    char path[PATH_ROOM];     /* of the GPU scene, below it */
+    char root[PATH_CAPACITY / 2]; /* made for the test, removed after it */
+    char path[PATH_CAPACITY];     /* of the GPU scene, below it */
 } Folder;
 
 static inline int make_folder(void **state)
@@ -64,7 +64,7 @@ static inline long statistic(const Folder *folder, const char *name)
 /* The file of a key. */
 static inline const char *entry_path(const Folder *folder, Key key)
 {
-    static char path[2 * PATH_ROOM];
+    static char path[2 * PATH_CAPACITY];
     char digits[33];
     snprintf(digits, sizeof digits, "%016llx%016llx", (unsigned long long)key.high,
              (unsigned long long)key.low);

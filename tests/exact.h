@@ -10,20 +10,20 @@
 #include "compiler/oracle/oracle.h"
 #include "compiler/pipeline.h"
 
-enum { EXACT_BITS = 200, EXACT_ROOM = 1 << 18 };
+enum { EXACT_BITS = 200, EXACT_CAPACITY = 1 << 18 };
 
 typedef mpfr_ptr R;
 
 /* All numbers there are; a test is one thread. */
 typedef struct {
-    mpfr_t at[EXACT_ROOM];
+    mpfr_t at[EXACT_CAPACITY];
     int made, used;
 } Exact;
 static Exact exact;
 
 static inline R fresh(void)
 {
-    assert_true(exact.used < EXACT_ROOM);
+    assert_true(exact.used < EXACT_CAPACITY);
     if (exact.used == exact.made)
         mpfr_init2(exact.at[exact.made++], EXACT_BITS);
     return exact.at[exact.used++];
@@ -133,7 +133,7 @@ static inline void read_open(Read *r, const char *text, ReferenceNoise noise)
     matc_options_init(&r->options);
     r->session = (Session){.options = &r->options, .arena = &r->arena};
     Source source = {.name = "exact.yaml", .text = text, .size = strlen(text)};
-    ARENA_PUSH(&r->arena, r->session.sources, r->session.source_count, r->session.source_room,
+    ARENA_PUSH(&r->arena, r->session.sources, r->session.source_count, r->session.source_capacity,
                source);
     r->graph = compile_front(&r->session, 0, &tree);
     if (!r->graph || r->session.diags.errors)

@@ -174,7 +174,7 @@ static inline int64_t write_to(exr_const_context_t exr, void *user, const void *
 {
     PictureFile *file = user;
     (void)exr, (void)say;
-    assert_true(offset + size <= PICTURE_ROOM);
+    assert_true(offset + size <= PICTURE_CAPACITY);
     memcpy(file->bytes + offset, bytes, size);
     if (offset + size > file->size)
         file->size = offset + size;

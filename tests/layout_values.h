@@ -61,24 +61,24 @@ static inline bool leaves_out(Kept kept, const char *key)
     return kept == CLEAR && (!strcmp(key, "emissive") || !strcmp(key, "ambient"));
 }
 
-static inline void write_document(char *text, size_t room, double values[PARAMS][4], bool uniforms,
-                                  Kept kept)
+static inline void write_document(char *text, size_t capacity, double values[PARAMS][4],
+                                  bool uniforms, Kept kept)
 {
-    int size = snprintf(text, room, "material: Phong\n");
+    int size = snprintf(text, capacity, "material: Phong\n");
     for (int i = 0; i < PARAMS; i++) {
         int components =
             i == 0 && kept == OPAQUE ? 3 : params[i].components; /* alpha makes transparent */
         if (leaves_out(kept, params[i].key))
             continue;
-        size += snprintf(text + size, room - (size_t)size,
+        size += snprintf(text + size, capacity - (size_t)size,
                          uniforms ? "%s: { param: p%d, default: " : "%s: ", params[i].key, i);
         for (int component = 0; component < components; component++)
-            size += snprintf(text + size, room - (size_t)size, "%s%.17g",
+            size += snprintf(text + size, capacity - (size_t)size, "%s%.17g",
                              component                  ? ", "
                              : params[i].components > 1 ? "["
                                                         : "",
                              values[i][component]);
-        size += snprintf(text + size, room - (size_t)size, "%s%s\n", components > 1 ? "]" : "",
+        size += snprintf(text + size, capacity - (size_t)size, "%s%s\n", components > 1 ? "]" : "",
                          uniforms ? " }" : "");
     }
 }

@@ -8,16 +8,16 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { PICTURE_ROOM = 1 << 17 };
+enum { PICTURE_CAPACITY = 1 << 17 };
 
 typedef struct {
-    uint8_t bytes[PICTURE_ROOM];
+    uint8_t bytes[PICTURE_CAPACITY];
     size_t size;
 } PictureFile;
 
 static inline void picture_put(PictureFile *file, const void *bytes, size_t size)
 {
-    assert_true(file->size + size <= PICTURE_ROOM);
+    assert_true(file->size + size <= PICTURE_CAPACITY);
     if (size)
         memcpy(file->bytes + file->size, bytes, size);
     file->size += size;

@@ -17,7 +17,7 @@ static inline void read_text(ReadText *r, const char *name, const char *text, si
     matc_options_init(&r->options);
     r->session = (Session){.options = &r->options, .arena = &r->arena};
     Source source = {.name = name, .text = text, .size = size};
-    ARENA_PUSH(&r->arena, r->session.sources, r->session.source_count, r->session.source_room,
+    ARENA_PUSH(&r->arena, r->session.sources, r->session.source_count, r->session.source_capacity,
                source);
     r->tree = read_document(&r->session, 0);
 }

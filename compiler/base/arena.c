@@ -60,9 +60,9 @@ char *arena_string(Arena *arena, const char *text, size_t size)
     return copy;
 }
 
-void *arena_copy(Arena *arena, const void *array, size_t count, size_t room, size_t size)
+void *arena_copy(Arena *arena, const void *array, size_t count, size_t capacity, size_t size)
 {
-    void *copy = arena_alloc(arena, room * size);
+    void *copy = arena_alloc(arena, capacity * size);
     if (count)
         memcpy(copy, array, count * size);
     return copy;
@@ -83,24 +83,24 @@ void *arena_extend(Arena *arena, void *old, size_t size, size_t kept, size_t wan
     return moved;
 }
 
-void *arena_grow(Arena *arena, void *array, size_t count, size_t *room, size_t size)
+void *arena_grow(Arena *arena, void *array, size_t count, size_t *capacity, size_t size)
 {
-    if (count < *room)
+    if (count < *capacity)
         return array;
-    const size_t before = *room;
-    *room = before ? before * 2 : 8;
-    return arena_extend(arena, array, before * size, count * size, *room * size);
+    const size_t before = *capacity;
+    *capacity = before ? before * 2 : 8;
+    return arena_extend(arena, array, before * size, count * size, *capacity * size);
 }
 
-void *arena_reach(Arena *arena, void *array, size_t index, size_t *room, size_t size)
+void *arena_reach(Arena *arena, void *array, size_t index, size_t *capacity, size_t size)
 {
-    if (index < *room)
+    if (index < *capacity)
         return array;
     size_t wanted = 2 * index + 64;
     void *moved = arena_zero(arena, wanted * size);
-    if (*room)
-        memcpy(moved, array, *room * size);
-    *room = wanted;
+    if (*capacity)
+        memcpy(moved, array, *capacity * size);
+    *capacity = wanted;
     return moved;
 }
 

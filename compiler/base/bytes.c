@@ -6,9 +6,9 @@
 
 void bytes_add(Bytes *bytes, const void *from, size_t size)
 {
-    if (bytes->size + size > bytes->room) {
-        bytes->room = 2 * bytes->room + size + 64;
-        bytes->at = realloc(bytes->at, bytes->room);
+    if (bytes->size + size > bytes->capacity) {
+        bytes->capacity = 2 * bytes->capacity + size + 64;
+        bytes->at = realloc(bytes->at, bytes->capacity);
         if (!bytes->at)
             memory_exhausted();
     }

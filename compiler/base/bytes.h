@@ -7,7 +7,7 @@
 
 typedef struct {
     char *at; /* allocated by malloc */
-    size_t size, room;
+    size_t size, capacity;
 } Bytes;
 
 void bytes_add(Bytes *bytes, const void *from, size_t size);

@@ -25,15 +25,15 @@ bool diag_is_named(DiagKind kind)
  * Only the log of glslang (DIAG_not_valid) is not shortened. */
 void diag_message(Text *out, DiagKind kind, va_list args)
 {
-    enum { FORMAT_ROOM = 512 };
-    char format[FORMAT_ROOM] = "";
+    enum { FORMAT_CAPACITY = 512 };
+    char format[FORMAT_CAPACITY] = "";
     const int most = kind == DIAG_not_valid ? INT_MAX : LIMIT_QUOTE;
     const char *at = diag_table[kind].format;
     size_t size = 0;
     for (const char *part; (part = strstr(at, "%s")); at = part + 2)
-        size += (size_t)snprintf(format + size, FORMAT_ROOM - size, "%.*s%%.%ds", (int)(part - at),
-                                 at, most);
-    snprintf(format + size, FORMAT_ROOM - size, "%s", at);
+        size += (size_t)snprintf(format + size, FORMAT_CAPACITY - size, "%.*s%%.%ds",
+                                 (int)(part - at), at, most);
+    snprintf(format + size, FORMAT_CAPACITY - size, "%s", at);
     text_format_list(out, format, args);
 }
 

@@ -31,7 +31,7 @@ typedef struct {
 
 typedef struct {
     Diag *at;
-    size_t count, room;
+    size_t count, capacity;
     int errors;
 } DiagList;
 

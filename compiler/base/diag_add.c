@@ -46,7 +46,8 @@ void *diag_add(Session *session, Span span, DiagKind kind, ...)
     }
     const char *message = arena_string(session->arena, session->message.at, session->message.size);
     Diag diag = {kind, severity, span, message};
-    ARENA_PUSH(session->arena, session->diags.at, session->diags.count, session->diags.room, diag);
+    ARENA_PUSH(session->arena, session->diags.at, session->diags.count, session->diags.capacity,
+               diag);
     session->diags.errors += severity == SEVERITY_error;
     return NULL;
 }

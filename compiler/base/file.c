@@ -12,14 +12,14 @@
 #include <unistd.h>
 
 enum {
-    ROOM = 1 << 14,
+    CAPACITY = 1 << 14,
     FOR_EVER = -1,
     FIRST_BYTE_MS = 1000 /* timeout for a pipe that has no writer yet */
 };
 
-static char *resized(char *text, size_t room)
+static char *resized(char *text, size_t capacity)
 {
-    char *more = realloc(text, room);
+    char *more = realloc(text, capacity);
     if (!more)
         memory_exhausted();
     return more;
@@ -36,15 +36,15 @@ static void wait_for_bytes(int descriptor, int milliseconds)
 
 char *file_read_from(int descriptor, size_t *size, const char **why)
 {
-    const size_t most = ((size_t)LIMIT_DOCUMENT_MIB << 20) + ROOM;
+    const size_t most = ((size_t)LIMIT_DOCUMENT_MIB << 20) + CAPACITY;
     struct stat info;
     bool sized = !fstat(descriptor, &info) && S_ISREG(info.st_mode) && (size_t)info.st_size < most;
     /* Two bytes more than the file's size: one detects its end, the other holds the terminating
      * zero. */
-    size_t room = sized ? (size_t)info.st_size + 2 : ROOM, used = 0;
-    char *text = resized(NULL, room);
+    size_t capacity = sized ? (size_t)info.st_size + 2 : CAPACITY, used = 0;
+    char *text = resized(NULL, capacity);
     for (;;) {
-        ssize_t got = read(descriptor, text + used, room - 1 - used);
+        ssize_t got = read(descriptor, text + used, capacity - 1 - used);
         if (got < 0 && errno == EINTR)
             continue;
         if (got < 0 && errno == EAGAIN) {
@@ -59,8 +59,8 @@ char *file_read_from(int descriptor, size_t *size, const char **why)
         used += (size_t)got;
         if (!got)
             break;
-        if (used == room - 1)
-            text = resized(text, room *= 2);
+        if (used == capacity - 1)
+            text = resized(text, capacity *= 2);
     }
     text[used] = 0;
     *size = used;

@@ -33,14 +33,14 @@ int names_add(Arena *arena, Names *names, const char *name)
     if (found >= 0)
         return found;
     hash_index_add(arena, &names->index, hash, (uint32_t)names->count);
-    ARENA_PUSH(arena, names->at, names->count, names->room, name);
+    ARENA_PUSH(arena, names->at, names->count, names->capacity, name);
     return (int)names->count - 1;
 }
 
 static int give(Arena *arena, FreshNames *fresh, const char *name)
 {
     const int first = 1;
-    ARENA_PUSH(arena, fresh->last, fresh->last_count, fresh->last_room, first);
+    ARENA_PUSH(arena, fresh->last, fresh->last_count, fresh->last_capacity, first);
     return names_add(arena, &fresh->given, name);
 }
 

@@ -5,7 +5,7 @@
 
 typedef struct {
     const char **at;
-    size_t count, room;
+    size_t count, capacity;
     HashIndex index;
     uint64_t seed; /* seed of the hashes */
 } Names;
@@ -19,7 +19,7 @@ int names_add(Arena *arena, Names *names, const char *name);
 typedef struct {
     Names given;
     int *last; /* per name: the last number that was appended to it */
-    size_t last_count, last_room;
+    size_t last_count, last_capacity;
 } FreshNames;
 
 /* Returns `wanted` if it is still free, otherwise "clay2", "clay3", ...; after a digit

@@ -31,7 +31,7 @@ void session_stage_done(Session *session, const char *name, int nodes, int cost)
         return;
     double now = session_now();
     StageStats stats = {name, now - session->stage_start, nodes, cost};
-    ARENA_PUSH(session->arena, session->stats, session->stat_count, session->stat_room, stats);
+    ARENA_PUSH(session->arena, session->stats, session->stat_count, session->stat_capacity, stats);
     session->stage_start = session_now(); /* excludes the time that statistics take */
 }
 

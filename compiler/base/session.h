@@ -67,10 +67,10 @@ typedef struct Session {
     DiagList diags;
     Text message; /* message of the diagnostic that is being added */
     Source *sources;
-    size_t source_count, source_room;
+    size_t source_count, source_capacity;
     Names depends; /* files read, the document first */
     StageStats *stats;
-    size_t stat_count, stat_room;
+    size_t stat_count, stat_capacity;
     double stage_start;
     int optimize; /* level of -O */
     bool check;   /* runs ir_check after every pass */

@@ -6,7 +6,7 @@
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
-enum { FIRST_ROOM = 64 };
+enum { FIRST_CAPACITY = 64 };
 
 void *sets_resize(void *memory, size_t size)
 {
@@ -29,7 +29,7 @@ static uint32_t string_hash(const char *string)
 static uint32_t key_hash(Key key) { return (uint32_t)key.low; }
 
 /* Returns a capacity greater than `room`. */
-static int more_room(int room) { return room ? 2 * room : FIRST_ROOM; }
+static int more_capacity(int capacity) { return capacity ? 2 * capacity : FIRST_CAPACITY; }
 
 int string_set_find(const StringSet *set, const char *string)
 {
@@ -46,9 +46,9 @@ int string_set_add(StringSet *set, const char *string, bool *added)
         *added = found < 0;
     if (found >= 0)
         return found;
-    if (set->count == set->room)
-        set->at =
-            sets_resize(set->at, (size_t)(set->room = more_room(set->room)) * sizeof *set->at);
+    if (set->count == set->capacity)
+        set->at = sets_resize(set->at, (size_t)(set->capacity = more_capacity(set->capacity)) *
+                                           sizeof *set->at);
     hash_index_add(NULL, &set->index, string_hash(string), (uint32_t)set->count);
     set->at[set->count] = sets_copy(string);
     return set->count++;
@@ -78,9 +78,9 @@ int key_set_add(KeySet *set, Key key, bool *added)
         *added = found < 0;
     if (found >= 0)
         return found;
-    if (set->count == set->room)
-        set->at =
-            sets_resize(set->at, (size_t)(set->room = more_room(set->room)) * sizeof *set->at);
+    if (set->count == set->capacity)
+        set->at = sets_resize(set->at, (size_t)(set->capacity = more_capacity(set->capacity)) *
+                                           sizeof *set->at);
     hash_index_add(NULL, &set->index, key_hash(key), (uint32_t)set->count);
     set->at[set->count] = key;
     return set->count++;

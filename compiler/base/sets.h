@@ -6,7 +6,7 @@
 
 typedef struct {
     char **at;
-    int count, room;
+    int count, capacity;
     HashIndex index;
 } StringSet;
 
@@ -19,7 +19,7 @@ void string_set_free(StringSet *set);
 
 typedef struct {
     Key *at;
-    int count, room;
+    int count, capacity;
     HashIndex index;
 } KeySet;
 

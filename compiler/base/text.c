@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { NUMBER_ROOM = 40, FORMAT_ROOM = 128, MAX_PLACES = 11, SIMPLE_DIGITS = 15 };
+enum { NUMBER_CAPACITY = 40, FORMAT_CAPACITY = 128, MAX_PLACES = 11, SIMPLE_DIGITS = 15 };
 
 /* The thread's locale is "C" between enter() and leave(), which restores the previous locale. */
 typedef struct {
@@ -37,20 +37,20 @@ Text text_new(Arena *arena) { return (Text){arena, NULL, 0, 0}; }
 /* The first capacity fits most names. */
 void text_reserve(Text *text, size_t more)
 {
-    enum { FIRST_ROOM = 64 };
+    enum { FIRST_CAPACITY = 64 };
     const size_t need = text->size + more + 1;
-    size_t room = text->room ? text->room : FIRST_ROOM;
-    if (need <= text->room)
+    size_t capacity = text->capacity ? text->capacity : FIRST_CAPACITY;
+    if (need <= text->capacity)
         return;
-    while (room < need)
-        room *= 2;
-    text->at = arena_extend(text->arena, text->at, text->room, text->size, room);
-    text->room = room;
+    while (capacity < need)
+        capacity *= 2;
+    text->at = arena_extend(text->arena, text->at, text->capacity, text->size, capacity);
+    text->capacity = capacity;
 }
 
 void text_int(Text *text, long value)
 {
-    char digits[NUMBER_ROOM], *end = digits + sizeof digits, *at = end;
+    char digits[NUMBER_CAPACITY], *end = digits + sizeof digits, *at = end;
     unsigned long rest = value < 0 ? 0ul - (unsigned long)value : (unsigned long)value;
     do
         *--at = (char)('0' + rest % 10);
@@ -93,10 +93,10 @@ void text_format_list(Text *text, const char *format, va_list args)
     }
     va_list again;
     va_copy(again, args);
-    text_reserve(text, FORMAT_ROOM);
-    size_t room = text->room - text->size;
-    int size = vsnprintf(text->at + text->size, room, format, args);
-    if (size > 0 && (size_t)size >= room) {
+    text_reserve(text, FORMAT_CAPACITY);
+    size_t capacity = text->capacity - text->size;
+    int size = vsnprintf(text->at + text->size, capacity, format, args);
+    if (size > 0 && (size_t)size >= capacity) {
         text_reserve(text, (size_t)size);
         vsnprintf(text->at + text->size, (size_t)size + 1, format, again);
     }
@@ -117,7 +117,7 @@ void text_format(Text *text, const char *format, ...)
 /* Appends whole / 10^places. */
 static void put_decimal(Text *text, bool negative, uint64_t whole, int places)
 {
-    char digits[NUMBER_ROOM], *end = digits + sizeof digits, *at = end;
+    char digits[NUMBER_CAPACITY], *end = digits + sizeof digits, *at = end;
     if (places == 0)
         *--at = '0'; /* writes "2.0" */
     for (int i = 0; i < places; i++, whole /= 10)
@@ -184,7 +184,7 @@ static bool ordinary_float(Text *text, double value)
  * numbers, and doubles from 1e6 on, begin at 1 digit. */
 static void shortest(Text *text, double value, int least, bool is_float)
 {
-    char digits[NUMBER_ROOM];
+    char digits[NUMBER_CAPACITY];
     const int most = is_float ? FLT_DECIMAL_DIG : DBL_DECIMAL_DIG;
     const Locale locale = enter();
     for (int precision = least; precision <= most; precision++) {

@@ -11,7 +11,7 @@
 typedef struct {
     Arena *arena;
     char *at; /* zero-terminated after the first addition */
-    size_t size, room;
+    size_t size, capacity;
 } Text;
 
 Text text_new(Arena *arena);
@@ -19,7 +19,7 @@ Text text_new(Arena *arena);
 void text_reserve(Text *text, size_t more);
 static inline void text_add(Text *text, const char *bytes, size_t size)
 {
-    if (text->size + size >= text->room)
+    if (text->size + size >= text->capacity)
         text_reserve(text, size);
     if (size)
         memcpy(text->at + text->size, bytes, size);
@@ -33,7 +33,7 @@ static inline void text_put(Text *text, const char *string)
 }
 static inline void text_char(Text *text, char c)
 {
-    if (text->size + 1 >= text->room)
+    if (text->size + 1 >= text->capacity)
         text_reserve(text, 1);
     text->at[text->size++] = c;
     text->at[text->size] = 0;

@@ -186,9 +186,9 @@ static bool any_dirty(const Watch *watch)
 
 void watch_list_add(WatchList *list, const char *file)
 {
-    if (list->count == list->room) {
-        list->room = list->room ? 2 * list->room : 64;
-        list->at = realloc(list->at, (size_t)list->room * sizeof *list->at);
+    if (list->count == list->capacity) {
+        list->capacity = list->capacity ? 2 * list->capacity : 64;
+        list->at = realloc(list->at, (size_t)list->capacity * sizeof *list->at);
         if (!list->at)
             memory_exhausted();
     }

@@ -9,7 +9,7 @@ typedef struct Watch Watch;
 /* Files to watch, in the order of discovery; from malloc. */
 typedef struct WatchList {
     char **at;
-    int count, room;
+    int count, capacity;
 } WatchList;
 void watch_list_add(WatchList *list, const char *file);
 void watch_list_free(WatchList *list);

@@ -72,7 +72,7 @@ void chunks_add_found(Session *session, Chunks *chunks, const Chunk *chunk)
     for (size_t i = 0; i < chunks->count; i++)
         if (chunks->at[i] == chunk)
             return;
-    ARENA_PUSH(session->arena, chunks->at, chunks->count, chunks->room, chunk);
+    ARENA_PUSH(session->arena, chunks->at, chunks->count, chunks->capacity, chunk);
 }
 
 static bool add(Session *session, Chunks *chunks, const char *name, int length, const Job *job)

@@ -7,7 +7,7 @@
 
 typedef struct {
     const Chunk **at; /* dependencies precede their users */
-    size_t count, room;
+    size_t count, capacity;
 } Chunks;
 
 /* Adds a chunk after its dependencies. */

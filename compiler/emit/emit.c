@@ -219,17 +219,17 @@ static uint8_t *needed_by(Scope *e, Ref root)
 {
     uint8_t *needed = ARENA_ARRAY(e->scratch, uint8_t, e->ir->count);
     Ref *met = NULL;
-    size_t count = 0, room = 0;
-    ARENA_PUSH(e->scratch, met, count, room, root);
+    size_t count = 0, capacity = 0;
+    ARENA_PUSH(e->scratch, met, count, capacity, root);
     while (count) {
         Ref ref = met[--count];
         if (needed[ref] || (e->done[ref] && ref != root))
             continue;
         needed[ref] = 1;
         if (e->s.mate[ref] != ref)
-            ARENA_PUSH(e->scratch, met, count, room, e->s.mate[ref]);
+            ARENA_PUSH(e->scratch, met, count, capacity, e->s.mate[ref]);
         for (int i = 0; i < ir_at(e->ir, ref)->count; i++)
-            ARENA_PUSH(e->scratch, met, count, room, ir_arg(e->ir, ref, i));
+            ARENA_PUSH(e->scratch, met, count, capacity, ir_arg(e->ir, ref, i));
     }
     return needed;
 }

@@ -84,11 +84,11 @@ static const Lines *lines_of(Scope *e, uint32_t file)
     uint32_t start = 0;
     if (lines->count)
         return lines;
-    ARENA_PUSH(e->scratch, lines->starts, lines->count, lines->room, start);
+    ARENA_PUSH(e->scratch, lines->starts, lines->count, lines->capacity, start);
     for (const char *at = source->text;
          (at = memchr(at, '\n', (size_t)(source->text + source->size - at)));) {
         start = (uint32_t)(++at - source->text);
-        ARENA_PUSH(e->scratch, lines->starts, lines->count, lines->room, start);
+        ARENA_PUSH(e->scratch, lines->starts, lines->count, lines->capacity, start);
     }
     return lines;
 }

@@ -18,7 +18,7 @@ typedef struct {
 /* Offsets of a source's lines; NULL until first needed. */
 typedef struct {
     uint32_t *starts;
-    size_t count, room;
+    size_t count, capacity;
 } Lines;
 
 typedef struct {

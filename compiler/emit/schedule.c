@@ -41,7 +41,7 @@ static int common_block(const Schedule *s, int a, int b)
 static int add_block(Schedule *s, int parent)
 {
     Block block = {.parent = parent, .depth = parent < 0 ? 0 : s->blocks[parent].depth + 1};
-    ARENA_PUSH(s->arena, s->blocks, s->block_count, s->block_room, block);
+    ARENA_PUSH(s->arena, s->blocks, s->block_count, s->block_capacity, block);
     return (int)s->block_count - 1;
 }
 

@@ -18,7 +18,7 @@ typedef struct {
     Arena *arena;
     IrReach nodes; /* nodes of the scope, users before operands; regions contiguous */
     Block *blocks;
-    size_t block_count, block_room;
+    size_t block_count, block_capacity;
     bool regions; /* the scope has regions */
     bool derives; /* the program has implicit derivatives */
     /* Per Ref: an implicit derivative that gets its own statement, since it would otherwise be

@@ -40,9 +40,9 @@ typedef struct {
 
 typedef struct Formula {
     FormulaStep *steps;
-    size_t count, room;
+    size_t count, capacity;
     uint32_t *arguments;
-    size_t argument_count, argument_room;
+    size_t argument_count, argument_capacity;
     uint32_t result;
     int width;       /* width of the result, 1 to 4 */
     int inputs;      /* number of inputs in use */

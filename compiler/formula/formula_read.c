@@ -61,7 +61,7 @@ static void read_local(FormulaReader *r)
     r->in_local = false;
     if (names_find(&r->locals, called) < 0) {
         names_add(r->session->arena, &r->locals, called);
-        ARENA_PUSH(r->session->arena, r->local_steps, r->local_count, r->local_room, step);
+        ARENA_PUSH(r->session->arena, r->local_steps, r->local_count, r->local_capacity, step);
     }
 }
 

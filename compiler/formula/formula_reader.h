@@ -29,12 +29,12 @@ typedef struct {
     Formula *f;
     Token token; /* the next token */
     uint32_t *operands;
-    size_t operand_count, operand_room;
+    size_t operand_count, operand_capacity;
     FormulaWait *waits;
-    size_t wait_count, wait_room;
+    size_t wait_count, wait_capacity;
     Names locals;
     uint32_t *local_steps; /* step of each local */
-    size_t local_count, local_room;
+    size_t local_count, local_capacity;
     int faults;
     bool in_local; /* parsing a local's value, which ends with ';' */
 } FormulaReader;

@@ -7,14 +7,15 @@ uint32_t formula_add(Session *session, Formula *f, FormulaStep step, const uint3
     step.first = (uint32_t)f->argument_count;
     step.count = count;
     for (uint32_t i = 0; i < count; i++)
-        ARENA_PUSH(session->arena, f->arguments, f->argument_count, f->argument_room, arguments[i]);
-    ARENA_PUSH(session->arena, f->steps, f->count, f->room, step);
+        ARENA_PUSH(session->arena, f->arguments, f->argument_count, f->argument_capacity,
+                   arguments[i]);
+    ARENA_PUSH(session->arena, f->steps, f->count, f->capacity, step);
     return (uint32_t)f->count - 1;
 }
 
 void formula_push(FormulaReader *r, uint32_t step)
 {
-    ARENA_PUSH(r->session->arena, r->operands, r->operand_count, r->operand_room, step);
+    ARENA_PUSH(r->session->arena, r->operands, r->operand_count, r->operand_capacity, step);
 }
 
 void formula_push_step(FormulaReader *r, FormulaStep step)
@@ -30,7 +31,7 @@ void formula_push_fault(FormulaReader *r)
 
 void formula_wait(FormulaReader *r, FormulaWait wait)
 {
-    ARENA_PUSH(r->session->arena, r->waits, r->wait_count, r->wait_room, wait);
+    ARENA_PUSH(r->session->arena, r->waits, r->wait_count, r->wait_capacity, wait);
 }
 
 void formula_apply(FormulaReader *r, FormulaStep step, size_t count)

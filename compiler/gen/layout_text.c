@@ -33,11 +33,11 @@ int layout_text_is(const char *path)
 
 /* Copies text up to one of the characters `ends` and skips that character. Returns 0 if it is
  * missing, or the text does not fit. */
-static int take(const char **at, const char *ends, char *to, size_t room)
+static int take(const char **at, const char *ends, char *to, size_t capacity)
 {
     *at += strspn(*at, " ");
     const size_t size = strcspn(*at, ends);
-    if (!(*at)[size] || size >= room)
+    if (!(*at)[size] || size >= capacity)
         return 0;
     memcpy(to, *at, size);
     to[size] = 0;

@@ -24,33 +24,33 @@ typedef struct Expansion Expansion;
 typedef struct {
     Session *session;
     Tree **defs; /* `defs:` objects: the document's, then those of its includes */
-    size_t def_count, def_room;
+    size_t def_count, def_capacity;
     /* A failed include or `defs:` was reported: unknown names may be defined there. */
     bool lacks_file;
     Uniform **uniforms;
-    size_t uniform_count, uniform_room;
+    size_t uniform_count, uniform_capacity;
     Names uniform_names;
     MeshAttribute **attributes;
-    size_t attribute_count, attribute_room;
+    size_t attribute_count, attribute_capacity;
     Names attribute_names;
     const Image **images;
-    size_t image_count, image_room, image_bytes; /* image_bytes: size of all texels */
+    size_t image_count, image_capacity, image_bytes; /* image_bytes: size of all texels */
     Names image_paths;
     GltfFiles gltf_files; /* glTF files that contain images */
     Names broken_paths;   /* paths of unreadable images; `broken` holds the reasons */
     const char **broken;
-    size_t broken_room;
+    size_t broken_capacity;
     unsigned char *file_colors; /* FileColors by source; undeclared for sources outside the array */
-    size_t file_color_room;
+    size_t file_color_capacity;
     UndecidedPicture *undecided;
-    size_t undecided_count, undecided_room;
+    size_t undecided_count, undecided_capacity;
     int node_count;
     /* Per parameter: its default map; NULL until a node needs it. */
     const Node *defaults[PARAM_COUNT];
     const Node **nodes; /* all nodes except plain numbers */
-    size_t named_count, named_room;
+    size_t named_count, named_capacity;
     Expansion **expansions;
-    size_t expansion_count, expansion_room;
+    size_t expansion_count, expansion_capacity;
     HashIndex expansion_index;
     bool overgrown;           /* too many expansions; already reported */
     size_t copied;            /* tree nodes copied for expansions */

@@ -76,7 +76,7 @@ static const Image *read_picture(Resolver *r, const char *full, const char **why
     image->index = (int)r->image_count;
     const size_t most = (size_t)LIMIT_PIXELS_MIB << 20;
     picture.image = image;
-    picture.room = r->image_bytes < most ? most - r->image_bytes : 0;
+    picture.capacity = r->image_bytes < most ? most - r->image_bytes : 0;
     *why = decode(&picture);
     free(file);
     if (*why) {
@@ -100,13 +100,13 @@ const Image *image_load(Resolver *r, const char *path, Span span)
         return r->images[found];
     const Image *image = broken < 0 ? read_picture(r, full, &why) : NULL;
     if (image) {
-        ARENA_PUSH(session->arena, r->images, r->image_count, r->image_room, image);
+        ARENA_PUSH(session->arena, r->images, r->image_count, r->image_capacity, image);
         names_add(session->arena, &r->image_paths, full);
         return image;
     }
     if (broken < 0) {
         size_t count = r->broken_paths.count;
-        ARENA_PUSH(session->arena, r->broken, count, r->broken_room, why);
+        ARENA_PUSH(session->arena, r->broken, count, r->broken_capacity, why);
         names_add(session->arena, &r->broken_paths, full);
     }
     if (hint_backslash(session, span))

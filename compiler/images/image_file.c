@@ -19,7 +19,7 @@ size_t image_file_size(const Image *image)
 const char *image_file_allocate(ImageFile *file)
 {
     Image *image = file->image;
-    if (image_file_size(image) > file->room)
+    if (image_file_size(image) > file->capacity)
         return image_file_too_many;
     image->texels = arena_alloc(&file->memory, image_file_size(image));
     return NULL;

@@ -8,7 +8,7 @@
 typedef struct {
     Session *session;
     const char *at, *end; /* unread bytes */
-    size_t room;          /* bytes that images may still use */
+    size_t capacity;      /* bytes that images may still use */
     Image *image;         /* the image being read */
     Arena memory;         /* texels and decoder memory: freed if the file is broken */
 } ImageFile;

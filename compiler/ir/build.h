@@ -36,7 +36,7 @@ typedef struct {
 
 static inline void build_hold(Ir *ir, Ref ref)
 {
-    ARENA_PUSH(ir->arena, ir->held, ir->held_count, ir->held_room, ref);
+    ARENA_PUSH(ir->arena, ir->held, ir->held_count, ir->held_capacity, ref);
 }
 
 static inline Refs build_held(Ir *ir, size_t count)

@@ -17,7 +17,7 @@ static uint32_t add_constant(Ir *ir, Type type, const double *numbers, const Val
 {
     IrConstant constant = {.type = type, .origin = origin, .source = source, .member = -1};
     memcpy(constant.numbers, numbers, sizeof(double) * (size_t)type_table[type].components);
-    ARENA_PUSH(ir->arena, ir->constants, ir->constant_count, ir->constant_room, constant);
+    ARENA_PUSH(ir->arena, ir->constants, ir->constant_count, ir->constant_capacity, constant);
     return (uint32_t)ir->constant_count - 1;
 }
 
@@ -67,7 +67,7 @@ static Ref *known_values(Ir *ir, uint8_t *from_buffer)
 
 /* Replaces a node that depends on constants alone by its value: as a new member of the uniform
  * block, or, if `room` is false, as a literal. */
-static void become_constant(Ir *ir, Ref ref, Ref known, bool room)
+static void become_constant(Ir *ir, Ref ref, Ref known, bool capacity)
 {
     IrNode *node = &ir->nodes[ref];
     uint32_t origin = node->origin;
@@ -75,7 +75,7 @@ static void become_constant(Ir *ir, Ref ref, Ref known, bool room)
     memcpy(numbers, ir_numbers(ir, known), sizeof(double) * (size_t)ir_components(ir, known));
     *node = *ir_at(ir, known);
     node->origin = origin;
-    if (!room)
+    if (!capacity)
         return;
     node->op = OP_member;
     node->payload = add_constant(ir, (Type)node->type, numbers, NULL, origin);
@@ -115,11 +115,11 @@ void constants_hoist(Ir *ir)
 
 /* Shifts all nodes up by the number of new members, which come first because any node may use
  * them. */
-static void make_room(Ir *ir, int count)
+static void make_capacity(Ir *ir, int count)
 {
     const IrNode none = {0};
     for (int i = 0; i < count; i++)
-        ARENA_PUSH(ir->arena, ir->nodes, ir->count, ir->room, none);
+        ARENA_PUSH(ir->arena, ir->nodes, ir->count, ir->capacity, none);
     memmove(ir->nodes + 1 + count, ir->nodes + 1,
             (ir->count - 1 - (size_t)count) * sizeof *ir->nodes);
     memset(ir->nodes + 1, 0, (size_t)count * sizeof *ir->nodes);
@@ -143,7 +143,7 @@ void constants_place(Ir *ir, const NumberPlace *places, const int *member, int c
     int members = 0;
     for (int i = 0; i < count; i++)
         members = member[i] >= members ? member[i] + 1 : members;
-    make_room(ir, members);
+    make_capacity(ir, members);
     for (int i = 0; i < count; i++) {
         if (member[i] < 0)
             continue;

@@ -30,7 +30,8 @@ Ir *ir_new(Session *session, const Graph *graph)
     ir->table = ARENA_ARRAY(session->arena, Ref, FIRST_TABLE);
     ir->mask = FIRST_TABLE - 1;
     const IrNode none = {0};
-    ARENA_PUSH(session->arena, ir->nodes, ir->count, ir->room, none); /* node 0 is the null node */
+    ARENA_PUSH(session->arena, ir->nodes, ir->count, ir->capacity,
+               none); /* node 0 is the null node */
     return ir;
 }
 
@@ -141,7 +142,7 @@ static void rehash(Ir *ir)
 static Ref add_node(Ir *ir, const IrNode *node, uint32_t slot)
 {
     Ref ref = (Ref)ir->count;
-    ARENA_PUSH(ir->arena, ir->nodes, ir->count, ir->room, *node);
+    ARENA_PUSH(ir->arena, ir->nodes, ir->count, ir->capacity, *node);
     ir->table[slot] = ref;
     if (2 * ir->count > ir->mask)
         grow_table(ir);
@@ -170,8 +171,9 @@ static Ref find_or_add(Ir *ir, IrNode *node, const Ref *args)
             return ir->table[probe.at];
     node->first = (uint32_t)ir->arg_count;
     node->origin = ir->origin;
-    while (ir->arg_count + node->count > ir->arg_room)
-        ir->args = arena_grow(ir->arena, ir->args, ir->arg_room, &ir->arg_room, sizeof *ir->args);
+    while (ir->arg_count + node->count > ir->arg_capacity)
+        ir->args =
+            arena_grow(ir->arena, ir->args, ir->arg_capacity, &ir->arg_capacity, sizeof *ir->args);
     for (int i = 0; i < node->count; i++)
         ir->args[ir->arg_count++] = args[i];
     return add_node(ir, node, probe.at);
@@ -195,7 +197,7 @@ Ref ir_const(Ir *ir, Type type, const double *numbers)
     node.origin = ir->origin;
     /* `numbers` may point into ir->numbers; the arena keeps the old array when the list grows. */
     for (int i = 0; i < components; i++)
-        ARENA_PUSH(ir->arena, ir->numbers, ir->number_count, ir->number_room, numbers[i]);
+        ARENA_PUSH(ir->arena, ir->numbers, ir->number_count, ir->number_capacity, numbers[i]);
     return add_node(ir, &node, at);
 }
 
@@ -256,13 +258,13 @@ void ir_arguments(Ir *ir, int set, const Type *types, int count, Ref *arguments)
 
 static int *function_of(Ir *ir, Ref result)
 {
-    if (result >= ir->function_of_room) {
+    if (result >= ir->function_of_capacity) {
         size_t more = 2 * (size_t)result + 64;
         int *grown = ARENA_ARRAY(ir->arena, int, more);
-        if (ir->function_of_room)
-            memcpy(grown, ir->function_of, ir->function_of_room * sizeof *grown);
+        if (ir->function_of_capacity)
+            memcpy(grown, ir->function_of, ir->function_of_capacity * sizeof *grown);
         ir->function_of = grown;
-        ir->function_of_room = more;
+        ir->function_of_capacity = more;
     }
     return &ir->function_of[result];
 }
@@ -277,7 +279,7 @@ int ir_function(Ir *ir, const Ref *arguments, int count, Ref result)
     IrFunction function = {result, ARENA_ARRAY(ir->arena, Ref, count), count, ir->origin, *last};
     for (int i = 0; i < count; i++)
         function.arguments[i] = arguments[i];
-    ARENA_PUSH(ir->arena, ir->functions, ir->function_count, ir->function_room, function);
+    ARENA_PUSH(ir->arena, ir->functions, ir->function_count, ir->function_capacity, function);
     *last = (int)ir->function_count;
     return *last - 1;
 }

@@ -150,23 +150,23 @@ typedef struct Ir {
     uint8_t *live;
     size_t live_count;
     IrNode *nodes;
-    size_t count, room;
+    size_t count, capacity;
     Ref *args;
-    size_t arg_count, arg_room;
+    size_t arg_count, arg_capacity;
     double *numbers;
-    size_t number_count, number_room;
+    size_t number_count, number_capacity;
     /* Hash table of nodes. Not a HashIndex: nodes hold their own hashes, and this is the most
      * used table. */
     Ref *table;
     uint32_t mask;
     bool moved; /* nodes have moved or changed: rebuild the table before its next use */
     IrFunction *functions;
-    size_t function_count, function_room;
+    size_t function_count, function_capacity;
     IrTexture *textures;
-    size_t texture_count, texture_room;
+    size_t texture_count, texture_capacity;
     HashIndex texture_index; /* finds textures by content; lower_surface.c */
     IrConstant *constants;
-    size_t constant_count, constant_room;
+    size_t constant_count, constant_capacity;
     HashIndex constant_index; /* finds constants by their source */
     const Graph *graph;       /* supplies the names of uniforms */
     IrOutput outputs[MAX_OUTPUTS];
@@ -179,12 +179,12 @@ typedef struct Ir {
     bool keep_pow;        /* powers stay calls of pow */
     ReferenceNoise noise; /* noise variant that constant folding uses */
     Ref *held;            /* operand stack of nested builder calls: REFS of build.h */
-    size_t held_count, held_room;
+    size_t held_count, held_capacity;
     /* per Ref: the last function with that result, from 1; used by ir_function only */
     int *function_of;
-    size_t function_of_room;
+    size_t function_of_capacity;
     const Node **maps; /* maps that created nodes; origin.c */
-    size_t map_count, map_room;
+    size_t map_count, map_capacity;
     HashIndex map_index;
     uint32_t origin; /* origin given to new nodes */
     /* Simplifies each new node; NULL leaves nodes unchanged. */
@@ -284,7 +284,7 @@ bool ir_sweep_unsettled(Ir *ir, uint8_t settled, IrRewrite *rewrite, const void 
 typedef struct {
     Arena *arena;
     Ref *at;
-    size_t count, room;
+    size_t count, capacity;
     uint8_t *inside; /* per Ref: the node is in the list */
 } IrReach;
 IrReach ir_reach_new(const Ir *ir, Arena *arena);

@@ -6,8 +6,8 @@
  *     left unused in the fork            mean */
 #include "compiler/ir/ir.h"
 
-#define COPY(list, count, room)                                                                    \
-    copy->list = arena_copy(arena, ir->list, ir->count, ir->room, sizeof *ir->list)
+#define COPY(list, count, capacity)                                                                \
+    copy->list = arena_copy(arena, ir->list, ir->count, ir->capacity, sizeof *ir->list)
 
 Ir *ir_fork(const Ir *ir, Session *session)
 {
@@ -19,15 +19,15 @@ Ir *ir_fork(const Ir *ir, Session *session)
     copy->ranges = NULL;
     copy->live = NULL;
     copy->output_count = 0;
-    copy->held_room = 0;
-    COPY(nodes, count, room);
-    COPY(args, arg_count, arg_room);
-    COPY(numbers, number_count, number_room);
-    COPY(functions, function_count, function_room);
-    COPY(textures, texture_count, texture_room);
-    COPY(constants, constant_count, constant_room);
-    COPY(maps, map_count, map_room);
-    COPY(function_of, function_of_room, function_of_room);
+    copy->held_capacity = 0;
+    COPY(nodes, count, capacity);
+    COPY(args, arg_count, arg_capacity);
+    COPY(numbers, number_count, number_capacity);
+    COPY(functions, function_count, function_capacity);
+    COPY(textures, texture_count, texture_capacity);
+    COPY(constants, constant_count, constant_capacity);
+    COPY(maps, map_count, map_capacity);
+    COPY(function_of, function_of_capacity, function_of_capacity);
     copy->table =
         arena_copy(arena, ir->table, ir->mask + (size_t)1, ir->mask + (size_t)1, sizeof *ir->table);
     copy->texture_index = hash_index_copy(arena, &ir->texture_index);

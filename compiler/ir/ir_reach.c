@@ -20,7 +20,7 @@ static void push(IrReach *r, Ref ref)
     if (!ref || r->inside[ref])
         return;
     r->inside[ref] = 1;
-    ARENA_PUSH(r->arena, r->at, r->count, r->room, ref);
+    ARENA_PUSH(r->arena, r->at, r->count, r->capacity, ref);
 }
 
 IrReach ir_reach_new(const Ir *ir, Arena *arena)

@@ -7,7 +7,7 @@ typedef struct {
     Ir *ir;
     const char *at;
     Ref *named; /* node by the number in the text */
-    size_t named_room;
+    size_t named_capacity;
     const char *fault;
 } Scanner;
 
@@ -20,12 +20,12 @@ static void skip_spaces(Scanner *s)
 }
 
 /* Reads the next word; false at the end of the line. */
-static bool word(Scanner *s, char *into, size_t room)
+static bool word(Scanner *s, char *into, size_t capacity)
 {
     size_t size = 0;
     skip_spaces(s);
     while (*s->at && !strchr(" ,()\n", *s->at)) {
-        if (size + 1 < room)
+        if (size + 1 < capacity)
             into[size++] = *s->at;
         s->at++;
     }
@@ -44,7 +44,7 @@ static Ref operand(Scanner *s, const char *text)
 {
     char *end;
     unsigned long number = text[0] == '%' ? strtoul(text + 1, &end, 10) : LARGEST_NUMBER;
-    if (number >= s->named_room || !s->named[number]) {
+    if (number >= s->named_capacity || !s->named[number]) {
         fail(s, "an operand is not defined before its use");
         return 0;
     }
@@ -213,7 +213,7 @@ static bool number_function(Scanner *s, const char *text, size_t *number)
     if (text[0] != 'f' || end == text + 1 || *end || *number >= MAX_FUNCTIONS)
         return false;
     while (s->ir->function_count <= *number)
-        ARENA_PUSH(s->ir->arena, s->ir->functions, s->ir->function_count, s->ir->function_room,
+        ARENA_PUSH(s->ir->arena, s->ir->functions, s->ir->function_count, s->ir->function_capacity,
                    none);
     return !s->ir->functions[*number].result;
 }
@@ -247,7 +247,7 @@ static bool read_line(Scanner *s)
     if (text[0] != '%')
         return fail(s, "a line is neither a node nor an output");
     unsigned long number = strtoul(text + 1, NULL, 10);
-    if (number >= s->named_room || !word(s, text, sizeof text) || strcmp(text, "=") != 0)
+    if (number >= s->named_capacity || !word(s, text, sizeof text) || strcmp(text, "=") != 0)
         return fail(s, "a node is not `%number = operation`");
     return (s->named[number] = read_node(s)) != 0;
 }
@@ -257,8 +257,8 @@ Ir *ir_read(Session *session, const char *text, const Graph *graph, const char *
     size_t size = strlen(text) + 1; /* a node takes more than a byte */
     Scanner s = {.ir = ir_new(session, graph),
                  .at = text,
-                 .named_room = size < LARGEST_NUMBER ? size : LARGEST_NUMBER};
-    s.named = ARENA_ARRAY(session->arena, Ref, s.named_room);
+                 .named_capacity = size < LARGEST_NUMBER ? size : LARGEST_NUMBER};
+    s.named = ARENA_ARRAY(session->arena, Ref, s.named_capacity);
     while (*s.at && !s.fault) {
         if (!read_line(&s))
             break;

@@ -57,7 +57,7 @@ static void move_functions(Ir *ir, Moves *moves, Ref old, Ref result)
         IrFunction function = ir->functions[f - 1];
         function.result = result;
         moves->function[f - 1] = (uint32_t)ir->function_count;
-        ARENA_PUSH(ir->arena, ir->functions, ir->function_count, ir->function_room, function);
+        ARENA_PUSH(ir->arena, ir->functions, ir->function_count, ir->function_capacity, function);
     }
 }
 

@@ -13,22 +13,22 @@ typedef struct {
     Arena *arena;
     const Ir *ir;
     uint32_t *words;
-    size_t word_count, word_room;
+    size_t word_count, word_capacity;
     double *numbers;
-    size_t number_count, number_room;
+    size_t number_count, number_capacity;
     NumberPlace *places;
-    size_t place_count, place_room;
+    size_t place_count, place_capacity;
     uint32_t *number; /* by Ref, from 1 in post-order; 0: not visited */
     Ref *stack;
-    size_t depth, stack_room;
+    size_t depth, stack_capacity;
     uint32_t met;
     int *members; /* constants of the uniform block in post-order */
-    size_t member_count, member_room;
+    size_t member_count, member_capacity;
 } Walk;
 
 static void put(Walk *w, uint32_t word)
 {
-    ARENA_PUSH(w->arena, w->words, w->word_count, w->word_room, word);
+    ARENA_PUSH(w->arena, w->words, w->word_count, w->word_capacity, word);
 }
 
 static void put_text(Walk *w, const char *text)
@@ -66,7 +66,7 @@ static void put_value(Walk *w, Ref value, bool placed)
     for (int i = 0; i < ir_components(ir, value); i++) {
         double number = written(type, ir_numbers(ir, value)[i]);
         if (placed)
-            ARENA_PUSH(w->arena, w->numbers, w->number_count, w->number_room, number);
+            ARENA_PUSH(w->arena, w->numbers, w->number_count, w->number_capacity, number);
         else
             put_fixed(w, number);
     }
@@ -78,7 +78,7 @@ static void put_operand(Walk *w, Ref user, int operand, Ref value)
     bool placed = ir_is(w->ir, value, OP_const) && constant_storable(ir_type(w->ir, value));
     const NumberPlace place = {user, operand, value};
     if (placed)
-        ARENA_PUSH(w->arena, w->places, w->place_count, w->place_room, place);
+        ARENA_PUSH(w->arena, w->places, w->place_count, w->place_capacity, place);
     put_value(w, value, placed);
 }
 
@@ -124,7 +124,7 @@ static void leave(Walk *w, Ref ref)
     put(w, (uint32_t)node->op << 16 | (uint32_t)node->type << 8 | node->count);
     put_payload(w, node);
     if (node->op == OP_member)
-        ARENA_PUSH(w->arena, w->members, w->member_count, w->member_room, (int)node->payload);
+        ARENA_PUSH(w->arena, w->members, w->member_count, w->member_capacity, (int)node->payload);
     if (ir_applies(w->ir, ref)) {
         const IrFunction *function = &w->ir->functions[node->payload];
         put_value(w, function->result, false);
@@ -137,7 +137,7 @@ static void leave(Walk *w, Ref ref)
 static void push(Walk *w, Ref ref)
 {
     if (!w->number[ref] && !ir_is(w->ir, ref, OP_const))
-        ARENA_PUSH(w->arena, w->stack, w->depth, w->stack_room, ref);
+        ARENA_PUSH(w->arena, w->stack, w->depth, w->stack_capacity, ref);
 }
 
 /* Post-order walk, left operands before right ones. A node stays on the stack until all of its

@@ -92,6 +92,6 @@ uint32_t ir_origin(Ir *ir, const Node *map)
         if (ir->maps[probe.number] == map)
             return ORIGIN_MAPS + probe.number;
     hash_index_add(ir->arena, &ir->map_index, hash, (uint32_t)ir->map_count);
-    ARENA_PUSH(ir->arena, ir->maps, ir->map_count, ir->map_room, map);
+    ARENA_PUSH(ir->arena, ir->maps, ir->map_count, ir->map_capacity, map);
     return ORIGIN_MAPS + (uint32_t)ir->map_count - 1;
 }

@@ -13,10 +13,10 @@ typedef struct {
 typedef struct Ranges {
     /* intervals of the examined nodes, one per component or one each; index 0 is unused */
     Interval *of;
-    size_t used, room; /* number of entries of `of`, and its capacity */
-    RangePlace *place; /* intervals of each node, by Ref */
-    size_t place_room; /* entries of `place` */
-    Ref count;         /* number of nodes at the last search */
+    size_t used, capacity; /* number of entries of `of`, and its capacity */
+    RangePlace *place;     /* intervals of each node, by Ref */
+    size_t place_capacity; /* entries of `place` */
+    Ref count;             /* number of nodes at the last search */
     /* 1: one interval for all components of a node; FIELD_COMPONENTS: one per component */
     int components;
     struct Guards *guards; /* active guards: range.c */

@@ -50,7 +50,7 @@ static void compute(Ranges *r, const Ir *ir, Arena *arena, Ref ref)
     for (int component = 0; component < components; component++) {
         const Interval range = at_once ? found[component] : range_computed(r, ir, ref, component);
         const bool none = isnan(range.low) || isnan(range.high);
-        ARENA_PUSH(arena, r->of, r->used, r->room, none ? everything : range);
+        ARENA_PUSH(arena, r->of, r->used, r->capacity, none ? everything : range);
     }
     r->place[ref] = place;
 }
@@ -59,13 +59,13 @@ static void compute(Ranges *r, const Ir *ir, Arena *arena, Ref ref)
 static void find(Ranges *r, const Ir *ir, Arena *arena, Ref count, const uint8_t *live)
 {
     r->count = count;
-    r->place = arena_reach(arena, r->place, count, &r->place_room, sizeof *r->place);
+    r->place = arena_reach(arena, r->place, count, &r->place_capacity, sizeof *r->place);
     /* guards need one interval per component */
     r->marks = r->components > 1 ? mark_compared(ir, arena, count, live) : NULL;
     if (r->marks && !r->seen)
         r->seen = range_seen_new(arena);
     if (!r->used)
-        ARENA_PUSH(arena, r->of, r->used, r->room, everything);
+        ARENA_PUSH(arena, r->of, r->used, r->capacity, everything);
     for (Ref ref = 1; ref < count; ref++)
         if (!r->place[ref].first && is_asked(live, ref))
             compute(r, ir, arena, ref);

@@ -7,7 +7,7 @@
 typedef struct {
     int taken[LAYOUT_TARGETS][FIELD_COMPONENTS];
     bool marked; /* the highest bit of the last word is used, too */
-} Room;
+} Capacity;
 
 int layout_targets(const LayoutRow *row)
 {
@@ -183,34 +183,34 @@ bool piece_takes_bits(const Piece *piece)
 }
 
 /* True if the adjacent components are free. */
-static bool fits_components(const Room *room, const FormatRow *format, const Piece *piece)
+static bool fits_components(const Capacity *capacity, const FormatRow *format, const Piece *piece)
 {
     for (int i = 0; i < piece->size; i++)
         if (piece->component + i >= format->components ||
-            room->taken[piece->target][piece->component + i])
+            capacity->taken[piece->target][piece->component + i])
             return false;
     return true;
 }
 
-static bool fits(const Room *room, const LayoutRow *row, const Piece *piece)
+static bool fits(const Capacity *capacity, const LayoutRow *row, const Piece *piece)
 {
     const FormatRow *format = &format_table[row->formats[piece->target]];
     if (format->words != encoding_table[piece->field->encoding].words)
         return false;
-    const int mark = room->marked && is_last_word(row, piece->target, piece->component);
-    return format->words
-               ? room->taken[piece->target][piece->component] + piece->size <= format->bits - mark
-               : fits_components(room, format, piece);
+    const int mark = capacity->marked && is_last_word(row, piece->target, piece->component);
+    return format->words ? capacity->taken[piece->target][piece->component] + piece->size <=
+                               format->bits - mark
+                         : fits_components(capacity, format, piece);
 }
 
-static bool find_room(Room *room, const LayoutRow *row, Piece *piece)
+static bool find_capacity(Capacity *capacity, const LayoutRow *row, Piece *piece)
 {
     for (piece->target = 0; piece->target < layout_targets(row); piece->target++) {
         const FormatRow *format = &format_table[row->formats[piece->target]];
         for (piece->component = 0; piece->component < format->components; piece->component++) {
-            if (!fits(room, row, piece))
+            if (!fits(capacity, row, piece))
                 continue;
-            int *taken = &room->taken[piece->target][piece->component];
+            int *taken = &capacity->taken[piece->target][piece->component];
             piece->shift = format->words ? *taken : 0;
             *taken += format->words ? piece->size : 0;
             for (int i = 0; !format->words && i < piece->size; i++)
@@ -237,8 +237,8 @@ const FieldRow *layout_allocate(const LayoutRow *row, int number, Placement *pla
     int behind = 0;
     if (further)
         further_code(row, number - plain_count(row), &behind);
-    Room room = {.taken = {{layout_case_bits(row) + behind}}};
-    room.marked = further || (row->further_count && number == 0);
+    Capacity capacity = {.taken = {{layout_case_bits(row) + behind}}};
+    capacity.marked = further || (row->further_count && number == 0);
     placement->count = 0;
     if ((layout_case_bits(row) || row->further_count) && !format_table[row->formats[0]].words)
         return &fields->fields[0]; /* no word can hold the case number */
@@ -251,7 +251,7 @@ const FieldRow *layout_allocate(const LayoutRow *row, int number, Placement *pla
         for (int first = 0; first < field->count; first += takes) {
             Piece piece = {
                 .field = field, .first = first, .count = takes, .size = field_size(field)};
-            if (placement->count == MAX_PIECES || !find_room(&room, row, &piece))
+            if (placement->count == MAX_PIECES || !find_capacity(&capacity, row, &piece))
                 return field;
             placement->pieces[placement->count++] = piece;
         }

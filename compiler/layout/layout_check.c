@@ -115,7 +115,7 @@ static const char *left_text(Checker *k, const Placement *placement, bool words)
                      : "no target holds floats";
 }
 
-static void check_room(Checker *k, int number, Tree *const *trees)
+static void check_capacity(Checker *k, int number, Tree *const *trees)
 {
     Placement placement;
     const FieldRow *fault = layout_allocate(k->row, number, &placement);
@@ -150,6 +150,6 @@ bool layout_check(Session *session, const LayoutRow *row, const Tree *file,
     }
     check_cases(&k, file);
     for (int number = 0; number < row->case_count && k.fine; number++)
-        check_room(&k, number, trees[number]);
+        check_capacity(&k, number, trees[number]);
     return k.fine;
 }

@@ -152,7 +152,7 @@ static bool is_finite(const Line *line)
 static void follow(Lower *l, Ref last)
 {
     Affine *affine = &l->affine;
-    affine->first = arena_reach(l->session->arena, affine->first, last, &affine->first_room,
+    affine->first = arena_reach(l->session->arena, affine->first, last, &affine->first_capacity,
                                 sizeof *affine->first);
     for (; affine->done <= last; affine->done++) {
         Ref ref = affine->done;
@@ -163,7 +163,7 @@ static void follow(Lower *l, Ref last)
             Line line = new_line(l, ref, component);
             if ((line.closed && line.root != ref) || !is_finite(&line))
                 line = start(ref, component);
-            ARENA_PUSH(l->session->arena, affine->lines, affine->count, affine->room, line);
+            ARENA_PUSH(l->session->arena, affine->lines, affine->count, affine->capacity, line);
         }
         affine->first[ref] = first;
     }

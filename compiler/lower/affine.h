@@ -17,9 +17,9 @@ typedef struct {
     /* Index in `lines`, by Ref, of the node's first component, counted from 1; 0: the node is a
      * root. */
     uint32_t *first;
-    size_t first_room;
+    size_t first_capacity;
     Line *lines;
-    size_t count, room;
+    size_t count, capacity;
     Ref done; /* nodes below this Ref were processed */
 } Affine;
 #endif

@@ -58,7 +58,7 @@ static DiagList copy_of_diags(Arena *arena, const DiagList *diags)
 {
     DiagList copy = {.at = ARENA_ARRAY(arena, Diag, diags->count),
                      .count = diags->count,
-                     .room = diags->count,
+                     .capacity = diags->count,
                      .errors = diags->errors};
     if (copy.count)
         memcpy(copy.at, diags->at, copy.count * sizeof *copy.at);

@@ -142,7 +142,7 @@ static Ref root_of(Lower *l, Group group, const Env *env)
 static void note_averageable(Lower *l, const Node *map, Group group, const Env *env)
 {
     const MetMap met = {map, group, !env->number && !env->relief};
-    ARENA_PUSH(l->session->arena, l->averageable.at, l->averageable.count, l->averageable.room,
+    ARENA_PUSH(l->session->arena, l->averageable.at, l->averageable.count, l->averageable.capacity,
                met);
     l->averageable.mingled |= !met.outside;
 }

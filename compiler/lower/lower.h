@@ -87,7 +87,7 @@ typedef struct {
 } MetMap;
 typedef struct {
     MetMap *at;
-    size_t count, room;
+    size_t count, capacity;
     bool mingled; /* means share slopes and footprints with other computations of the program */
 } MapList;
 
@@ -116,16 +116,16 @@ typedef struct {
     Manner outside;                 /* options outside of the displacement */
     bool cheap;                     /* -O1 and up: use cheaper forms instead of the plainest */
     Ref (*slopes)[DIRECTION_COUNT]; /* derivatives found so far, by Ref; slope.c */
-    size_t slope_room;
+    size_t slope_capacity;
     struct LateSum **sums; /* by Ref: values whose derivatives are given as sums; slope_sum.c */
-    size_t sum_room;
+    size_t sum_capacity;
     Ref *to_differ; /* stack of values to differentiate; slope.c */
-    size_t to_differ_count, to_differ_room;
+    size_t to_differ_count, to_differ_capacity;
     Place *places; /* the places of all Triplanars; lower_triplanar.c */
-    size_t place_count, place_room;
+    size_t place_count, place_capacity;
     HashIndex place_index;
     Turn *turns; /* UV transform chains by node; lower_normal.c */
-    size_t turn_room;
+    size_t turn_capacity;
     SlotAnswer asked[SLOT_COUNT];
     struct SlotMemo *slots; /* by node and slot: slots of mixed materials; lower_mix.c */
     Affine affine;          /* state of affine.c: affine forms of values */

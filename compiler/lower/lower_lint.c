@@ -71,12 +71,12 @@ void lower_lint(Lower *l)
 {
     Arena arena = {0};
     Ref *roots = NULL;
-    size_t count = 0, room = 0;
+    size_t count = 0, capacity = 0;
     for (const struct Crossing *at = l->crossing; at; at = at->next)
-        ARENA_PUSH(&arena, roots, count, room, at->coordinate);
+        ARENA_PUSH(&arena, roots, count, capacity, at->coordinate);
     for (const struct Relief *at = l->reliefs; at; at = at->next)
         for (int i = 0; i < 2; i++)
-            ARENA_PUSH(&arena, roots, count, room, at->slope[i]);
+            ARENA_PUSH(&arena, roots, count, capacity, at->slope[i]);
     const Ranges ranges = range_find_below(l->ir, &arena, 1, roots, (int)count);
     for (const struct Crossing *at = l->crossing; at; at = at->next)
         doubt(l->session, at->blend, range_of(&ranges, l->ir, at->coordinate, 0));

@@ -92,7 +92,7 @@ static Turn turned_at(Lower *l, const Turn *below, const Node *node)
 
 static Turn *turn_at(Lower *l, const Node *node)
 {
-    l->turns = arena_reach(l->session->arena, l->turns, (size_t)node->index, &l->turn_room,
+    l->turns = arena_reach(l->session->arena, l->turns, (size_t)node->index, &l->turn_capacity,
                            sizeof *l->turns);
     return &l->turns[node->index];
 }
@@ -102,11 +102,11 @@ static Turn *turn_at(Lower *l, const Node *node)
 static Turn turn_of(Lower *l, const Node *node)
 {
     const Node **chain = NULL;
-    size_t count = 0, room = 0;
+    size_t count = 0, capacity = 0;
     Turn turn = {.known = true};
     for (; node && !turn_at(l, node)->known;
          node = lower_param_node(node, kind_table[node->kind].first))
-        ARENA_PUSH(l->session->arena, chain, count, room, node);
+        ARENA_PUSH(l->session->arena, chain, count, capacity, node);
     if (node)
         turn = *turn_at(l, node);
     while (count--) {

@@ -199,7 +199,7 @@ static uint32_t texture_number(Ir *ir, const IrTexture *wanted)
         if (same_texture(&ir->textures[probe.number], wanted))
             return probe.number;
     hash_index_add(ir->arena, &ir->texture_index, hash, (uint32_t)ir->texture_count);
-    ARENA_PUSH(ir->arena, ir->textures, ir->texture_count, ir->texture_room, *wanted);
+    ARENA_PUSH(ir->arena, ir->textures, ir->texture_count, ir->texture_capacity, *wanted);
     return (uint32_t)ir->texture_count - 1;
 }
 

@@ -31,7 +31,7 @@ static int place_number(Lower *l, Place place)
         if (l->places[probe.number].uv == place.uv && l->places[probe.number].outer == place.outer)
             return (int)probe.number;
     hash_index_add(l->session->arena, &l->place_index, hash, (uint32_t)l->place_count);
-    ARENA_PUSH(l->session->arena, l->places, l->place_count, l->place_room, place);
+    ARENA_PUSH(l->session->arena, l->places, l->place_count, l->place_capacity, place);
     return (int)l->place_count - 1;
 }
 

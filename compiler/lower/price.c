@@ -18,9 +18,9 @@ typedef struct {
     Lower lower;
     Env env;
     uint8_t *counted; /* by Ref: the node's cost is in the sum */
-    size_t room;
+    size_t capacity;
     Ref *to_count; /* stack of the nodes to visit */
-    size_t to_count_count, to_count_room;
+    size_t to_count_count, to_count_capacity;
     int nodes;
     double cost; /* cost of the counted nodes */
 } Side;
@@ -45,9 +45,10 @@ static void close_side(Side *side)
 static void want_counted(Side *side, Ref ref)
 {
     side->counted =
-        arena_reach(&side->arena, side->counted, ref, &side->room, sizeof *side->counted);
+        arena_reach(&side->arena, side->counted, ref, &side->capacity, sizeof *side->counted);
     if (!side->counted[ref])
-        ARENA_PUSH(&side->arena, side->to_count, side->to_count_count, side->to_count_room, ref);
+        ARENA_PUSH(&side->arena, side->to_count, side->to_count_count, side->to_count_capacity,
+                   ref);
     side->counted[ref] = 1;
 }
 

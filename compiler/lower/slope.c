@@ -15,7 +15,8 @@ static const Ref FLAT = UINT32_MAX; /* memo entry: constant along the direction 
 
 static Ref *memo_of(Lower *l, Ref value, Direction direction)
 {
-    l->slopes = arena_reach(l->session->arena, l->slopes, value, &l->slope_room, sizeof *l->slopes);
+    l->slopes =
+        arena_reach(l->session->arena, l->slopes, value, &l->slope_capacity, sizeof *l->slopes);
     return &l->slopes[value][direction];
 }
 
@@ -349,7 +350,7 @@ static Ref part_of(Lower *l, Ref ref, int i)
 static void push_unknown(Lower *l, Ref ref, Direction direction)
 {
     if (*memo_of(l, ref, direction) == UNKNOWN)
-        ARENA_PUSH(l->session->arena, l->to_differ, l->to_differ_count, l->to_differ_room, ref);
+        ARENA_PUSH(l->session->arena, l->to_differ, l->to_differ_count, l->to_differ_capacity, ref);
 }
 
 /* Differentiates a value whose operands' derivatives are known. */

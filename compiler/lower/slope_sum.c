@@ -10,7 +10,7 @@ struct LateSum {
 
 const void *slope_set_sum(Lower *l, Ref value, SlopeTerms *terms, const void *what, int count)
 {
-    l->sums = arena_reach(l->session->arena, l->sums, value, &l->sum_room, sizeof *l->sums);
+    l->sums = arena_reach(l->session->arena, l->sums, value, &l->sum_capacity, sizeof *l->sums);
     if (l->sums[value])
         return l->sums[value]->what;
     l->sums[value] = ARENA_NEW(l->session->arena, struct LateSum);
@@ -21,7 +21,7 @@ const void *slope_set_sum(Lower *l, Ref value, SlopeTerms *terms, const void *wh
 /* Returns the recorded sum of a value. The terms' nodes get the value's origin. */
 const SlopeSum *slope_sum_of(Lower *l, Ref value)
 {
-    struct LateSum *late = value < l->sum_room ? l->sums[value] : NULL;
+    struct LateSum *late = value < l->sum_capacity ? l->sums[value] : NULL;
     if (late && !late->sum.terms) {
         const uint32_t origin = l->ir->origin;
         l->ir->origin = ir_at(l->ir, value)->origin;

@@ -56,7 +56,7 @@ static int trimmed(Ir *ir, int f, uint32_t read)
             kept[count++] = function.arguments[i];
     function.arguments = kept;
     function.count = count;
-    ARENA_PUSH(ir->arena, ir->functions, ir->function_count, ir->function_room, function);
+    ARENA_PUSH(ir->arena, ir->functions, ir->function_count, ir->function_capacity, function);
     return (int)ir->function_count - 1;
 }
 
@@ -122,7 +122,7 @@ static int narrowed(Ir *ir, int f, uint32_t mask)
     const uint32_t components = swizzle_of(mask, &count);
     IrFunction function = ir->functions[f];
     function.result = build_components(ir, function.result, components, count);
-    ARENA_PUSH(ir->arena, ir->functions, ir->function_count, ir->function_room, function);
+    ARENA_PUSH(ir->arena, ir->functions, ir->function_count, ir->function_capacity, function);
     return (int)ir->function_count - 1;
 }
 

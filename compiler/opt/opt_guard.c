@@ -27,9 +27,9 @@ typedef struct {
     /* Per Ref: number of uses by exclusive nodes; zeroed between conditions. */
     uint32_t *own;
     Ref *met; /* nodes with nonzero `own` */
-    size_t met_count, met_room;
+    size_t met_count, met_capacity;
     Ref *alone; /* exclusive nodes of the guards */
-    size_t alone_count, alone_room;
+    size_t alone_count, alone_capacity;
 } Guards;
 
 static void note_use(Ir *ir, Guards *g, Ref value)
@@ -37,13 +37,13 @@ static void note_use(Ir *ir, Guards *g, Ref value)
     if (ir_needs_neighbours(ir, value))
         return;
     if (!g->own[value])
-        ARENA_PUSH(&ir->scratch, g->met, g->met_count, g->met_room, value);
+        ARENA_PUSH(&ir->scratch, g->met, g->met_count, g->met_capacity, value);
     if (++g->own[value] == g->uses[value])
-        ARENA_PUSH(&ir->scratch, g->alone, g->alone_count, g->alone_room, value);
+        ARENA_PUSH(&ir->scratch, g->alone, g->alone_count, g->alone_capacity, value);
 }
 
 /* max nodes examined per condition, in addition to the guarded values */
-enum { ROOM = 256 };
+enum { CAPACITY = 256 };
 
 /* Collects exclusive nodes until they are worth a branch or none is left. Returns false if they
  * are not worth one. Swizzles and vectors cost nothing. */
@@ -55,7 +55,7 @@ static bool pays(Ir *ir, Guards *g, Ref first)
     for (Ref guard = first; guard; guard = g->next[guard], values++)
         note_use(ir, g, ir_arg(ir, guard, 1));
     const bool all = g->alone_count == values;
-    for (; i < g->alone_count && i < values + ROOM && (cost < WORTH_A_BRANCH || !all); i++) {
+    for (; i < g->alone_count && i < values + CAPACITY && (cost < WORTH_A_BRANCH || !all); i++) {
         const Ref ref = g->alone[i];
         cost += ir_applies(ir, ref) ? WORTH_A_BRANCH : ir_cost(ir, ref);
         for (int k = 0; k < ir_at(ir, ref)->count; k++)

@@ -108,7 +108,7 @@ Environment environment_open(Oracle *oracle, const Surface *surface, int depth)
 {
     const Memo none = {0};
     while (oracle->memo_count <= (size_t)depth)
-        ARENA_PUSH(&oracle->arena, oracle->memos, oracle->memo_count, oracle->memo_room, none);
+        ARENA_PUSH(&oracle->arena, oracle->memos, oracle->memo_count, oracle->memo_capacity, none);
     return (Environment){
         .oracle = oracle, .surface = surface, .stamp = ++oracle->stamp, .depth = depth};
 }

@@ -8,7 +8,7 @@
 /* Visited nodes, numbered in order of their first visit. */
 typedef struct {
     const Node **at;
-    size_t count, room;
+    size_t count, capacity;
     HashIndex index;
 } NodeNumbers;
 /* Returns the number of a node, assigned on its first visit. oracle_memo.c */
@@ -23,7 +23,7 @@ typedef struct {
 typedef struct {
     NodeNumbers nodes;
     MemoRow *rows; /* by node number */
-    size_t room;
+    size_t capacity;
 } Memo;
 
 /* Transform of slopes by u and v through the UVTransforms from a node down its inputs. */
@@ -47,12 +47,12 @@ struct Oracle {
     ReferenceContext context;
     NodeNumbers baked;
     float **reliefs; /* by node number: a Carpenter's texels; NULL until first read */
-    size_t relief_room;
+    size_t relief_capacity;
     NodeNumbers turned;
     SlopeTurn *turns; /* by node number */
-    size_t turn_room;
+    size_t turn_capacity;
     Memo *memos; /* by nesting depth of environments */
-    size_t memo_count, memo_room;
+    size_t memo_count, memo_capacity;
     OracleSky sky;        /* that of the last SunSkyLight */
     Choice derivatives;   /* method by which BumpMap computes slopes */
     double behind, ahead; /* the span of difference quotients, in steps; oracle_slope_span() */

@@ -9,7 +9,7 @@ size_t node_number(Arena *arena, NodeNumbers *numbers, const Node *node)
         if (numbers->at[probe.number] == node)
             return probe.number;
     hash_index_add(arena, &numbers->index, hash, (uint32_t)numbers->count);
-    ARENA_PUSH(arena, numbers->at, numbers->count, numbers->room, node);
+    ARENA_PUSH(arena, numbers->at, numbers->count, numbers->capacity, node);
     return numbers->count - 1;
 }
 
@@ -20,7 +20,8 @@ static MemoRow *row_of(const Environment *environment, const Node *node)
     Oracle *oracle = environment->oracle;
     Memo *memo = &oracle->memos[environment->depth];
     size_t number = node_number(&oracle->arena, &memo->nodes, node);
-    memo->rows = arena_reach(&oracle->arena, memo->rows, number, &memo->room, sizeof *memo->rows);
+    memo->rows =
+        arena_reach(&oracle->arena, memo->rows, number, &memo->capacity, sizeof *memo->rows);
     MemoRow *row = &memo->rows[number];
     if (row->stamp != environment->stamp) {
         row->stamp = environment->stamp;

@@ -59,14 +59,15 @@ static bool in_frame(int channel)
 /* Opens an adjacent point: (u, v) moved by `du` and `dv`, with the positions on the surface. A
  * Triplanar's map gets the projection of the point adjacent to the Triplanar's own; `room` has
  * an element for each surrounding Triplanar. */
-static Environment *open_beside(Environment *environment, double du, double dv, Projection *room)
+static Environment *open_beside(Environment *environment, double du, double dv,
+                                Projection *capacity)
 {
     if (environment->outer) {
-        oracle_project(open_beside(environment->outer, du, dv, room + 1), environment->triplanar,
-                       environment->axis, room);
+        oracle_project(open_beside(environment->outer, du, dv, capacity + 1),
+                       environment->triplanar, environment->axis, capacity);
     } else {
-        room->surface = *environment->surface;
-        double *root = room->surface.root;
+        capacity->surface = *environment->surface;
+        double *root = capacity->surface.root;
         const double *tangents =
             environment->mesh ? environment->mesh->root : environment->surface->root;
         root[channel_id(GROUP_U, 0)] += du;
@@ -75,21 +76,21 @@ static Environment *open_beside(Environment *environment, double du, double dv, 
             root[channel_id(GROUP_P, i)] +=
                 du * tangents[channel_id(GROUP_DU, i)] + dv * tangents[channel_id(GROUP_DV, i)];
             root[channel_id(GROUP_X, i)] +=
-                du * room->surface.local_u[i] + dv * room->surface.local_v[i];
+                du * capacity->surface.local_u[i] + dv * capacity->surface.local_v[i];
         }
-        room->environment =
-            environment_open(environment->oracle, &room->surface, environment->depth + 1);
+        capacity->environment =
+            environment_open(environment->oracle, &capacity->surface, environment->depth + 1);
     }
-    room->environment.origin = environment;
-    room->environment.centre =
+    capacity->environment.origin = environment;
+    capacity->environment.centre =
         environment->oracle->derivatives != CHOICE_derivatives_analytic ? environment : NULL;
-    return &room->environment;
+    return &capacity->environment;
 }
 
 static double height_at(Environment *environment, const Height *height, double du, double dv)
 {
-    Projection room[LIMIT_FILTERS + 1];
-    return height->at(open_beside(environment, du, dv, room), height->node, height->component);
+    Projection capacity[LIMIT_FILTERS + 1];
+    return height->at(open_beside(environment, du, dv, capacity), height->node, height->component);
 }
 
 /* Returns a step that is small compared with a float's rounding, so that both sides of a crease

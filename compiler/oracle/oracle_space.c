@@ -64,7 +64,7 @@ static const Node *input_of(const Node *node)
 static SlopeTurn *turn_at(Oracle *oracle, const Node *node)
 {
     size_t number = node_number(&oracle->arena, &oracle->turned, node);
-    oracle->turns = arena_reach(&oracle->arena, oracle->turns, number, &oracle->turn_room,
+    oracle->turns = arena_reach(&oracle->arena, oracle->turns, number, &oracle->turn_capacity,
                                 sizeof *oracle->turns);
     return &oracle->turns[number];
 }
@@ -74,10 +74,10 @@ static SlopeTurn *turn_at(Oracle *oracle, const Node *node)
 static SlopeTurn turn_of(Oracle *oracle, const Node *node)
 {
     const Node **chain = NULL;
-    size_t count = 0, room = 0;
+    size_t count = 0, capacity = 0;
     SlopeTurn turn = {true, {{1, 0}, {0, 1}}};
     for (; node && !turn_at(oracle, node)->known; node = input_of(node))
-        ARENA_PUSH(&oracle->arena, chain, count, room, node);
+        ARENA_PUSH(&oracle->arena, chain, count, capacity, node);
     if (node)
         turn = *turn_at(oracle, node);
     while (count--) {

@@ -253,7 +253,7 @@ static const float *relief(const Environment *environment, const Node *node, int
 {
     Oracle *oracle = environment->oracle;
     size_t number = node_number(&oracle->arena, &oracle->baked, node);
-    oracle->reliefs = arena_reach(&oracle->arena, oracle->reliefs, number, &oracle->relief_room,
+    oracle->reliefs = arena_reach(&oracle->arena, oracle->reliefs, number, &oracle->relief_capacity,
                                   sizeof *oracle->reliefs);
     float **texels = &oracle->reliefs[number];
     if (*texels)

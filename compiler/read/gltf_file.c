@@ -118,7 +118,8 @@ static bool read_beside(const GltfPlace *place, const char *uri, GltfBytes *byte
     const size_t number = (size_t)names_add(session->arena, &files->beside_paths, path);
     if (number == files->beside_count) {
         const GltfBeside beside = read_file_beside(session, path);
-        ARENA_PUSH(session->arena, files->beside, files->beside_count, files->beside_room, beside);
+        ARENA_PUSH(session->arena, files->beside, files->beside_count, files->beside_capacity,
+                   beside);
     }
     *bytes = files->beside[number].bytes;
     *why = files->beside[number].why;
@@ -185,7 +186,7 @@ static void index_sources(Session *session, GltfFiles *files)
         const uint32_t number = (uint32_t)files->indexed;
         const char *path = session_path_beside(session, "", session->sources[number].name);
         if ((size_t)names_add(session->arena, &files->source_paths, path) == files->source_count)
-            ARENA_PUSH(session->arena, files->sources, files->source_count, files->source_room,
+            ARENA_PUSH(session->arena, files->sources, files->source_count, files->source_capacity,
                        number);
     }
 }
@@ -207,7 +208,7 @@ static bool find_source(Session *session, GltfFiles *files, const char *path, ui
         .name = path, .text = arena_string(session->arena, text, size), .size = size};
     free(text);
     *found = (uint32_t)session->source_count;
-    ARENA_PUSH(session->arena, session->sources, session->source_count, session->source_room,
+    ARENA_PUSH(session->arena, session->sources, session->source_count, session->source_capacity,
                source);
     return gltf_chunks_open(session, *found) || (*why = "the file is broken", false);
 }
@@ -219,7 +220,7 @@ static GltfFile *file_of(Session *session, GltfFiles *files, const char *path)
     if (number < files->count)
         return files->at[number];
     GltfFile *file = ARENA_NEW(session->arena, GltfFile);
-    ARENA_PUSH(session->arena, files->at, files->count, files->room, file);
+    ARENA_PUSH(session->arena, files->at, files->count, files->capacity, file);
     *file = (GltfFile){.why = "the file is broken"};
     if (!find_source(session, files, path, &source, &file->why))
         return file;

@@ -18,14 +18,14 @@ typedef struct GltfFile GltfFile;
 typedef struct GltfBeside GltfBeside;
 typedef struct {
     GltfFile **at;
-    size_t count, room;
+    size_t count, capacity;
     Names paths; /* paths of `at` */
     GltfBeside *beside;
-    size_t beside_count, beside_room;
+    size_t beside_count, beside_capacity;
     Names beside_paths;
     Names source_paths; /* paths of the session's first `indexed` sources */
     uint32_t *sources;  /* per index in source_paths: the first source with that path */
-    size_t source_count, source_room, indexed;
+    size_t source_count, source_capacity, indexed;
 } GltfFiles;
 /* True if a path refers to an image inside a glTF file. */
 bool gltf_file_has(const char *path);

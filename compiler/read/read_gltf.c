@@ -31,7 +31,7 @@ typedef struct {
     Names names; /* names of the materials so far */
     Names stems; /* names that several materials of the file share */
     int *last;   /* per stem: the number of the last duplicate */
-    size_t last_count, last_room;
+    size_t last_count, last_capacity;
     /* Per material: a primitive with this material has vertex colors. The last entry is for
      * primitives without a material. */
     bool *colored;
@@ -42,13 +42,13 @@ typedef struct {
 /* An object under construction. */
 typedef struct {
     Member *members;
-    size_t count, room;
+    size_t count, capacity;
 } Keys;
 
 static void put(Gltf *g, Keys *made, const char *key, Tree *value)
 {
     const Member member = {key, value, value->span, (uint32_t)strlen(key)};
-    ARENA_PUSH(g->session->arena, made->members, made->count, made->room, member);
+    ARENA_PUSH(g->session->arena, made->members, made->count, made->capacity, member);
 }
 
 static Tree *word(Gltf *g, const char *text, Span span)
@@ -267,7 +267,7 @@ static int *last_twin(Gltf *g, const char *stem)
     const int first = 1, known = names_find(&g->stems, stem);
     if (known >= 0)
         return &g->last[known];
-    ARENA_PUSH(g->session->arena, g->last, g->last_count, g->last_room, first);
+    ARENA_PUSH(g->session->arena, g->last, g->last_count, g->last_capacity, first);
     return &g->last[names_add(g->session->arena, &g->stems, stem)];
 }
 

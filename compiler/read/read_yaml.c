@@ -22,7 +22,7 @@ typedef struct {
     const uint32_t *bytes;
     size_t characters; /* length of the whole text */
     Anchor *anchors;
-    size_t anchor_count, anchor_room;
+    size_t anchor_count, anchor_capacity;
     HashIndex anchor_index; /* finds anchors by name */
 } Reader;
 
@@ -118,7 +118,8 @@ static void keep_anchor(Reader *r, const yaml_char_t *name, Tree *tree)
     }
     tree->name = memcpy(tree_build_text(r->b, size), name, size);
     Anchor anchor = {tree->name, tree};
-    r->anchors = tree_build_room(r->anchors, r->anchor_count, &r->anchor_room, sizeof *r->anchors);
+    r->anchors =
+        tree_build_capacity(r->anchors, r->anchor_count, &r->anchor_capacity, sizeof *r->anchors);
     hash_index_add(NULL, &r->anchor_index, tree_hash(anchor.name, size), (uint32_t)r->anchor_count);
     r->anchors[r->anchor_count++] = anchor;
 }

@@ -5,15 +5,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { VALUES_ROOM = 16, TEXT_ROOM = 1024, LONG_TEXT = 128 };
+enum { VALUES_CAPACITY = 16, TEXT_CAPACITY = 1024, LONG_TEXT = 128 };
 
 Tree *tree_build_value(TreeBuilder *b, TreeKind kind, Span span)
 {
     if (++b->values > LIMIT_TREE_NODES)
         return diag_add(b->session, span, DIAG_too_many, LIMIT_TREE_NODES);
     if (!b->values_left_count) {
-        b->values_left = ARENA_ARRAY(b->session->arena, Tree, VALUES_ROOM);
-        b->values_left_count = VALUES_ROOM;
+        b->values_left = ARENA_ARRAY(b->session->arena, Tree, VALUES_CAPACITY);
+        b->values_left_count = VALUES_CAPACITY;
     }
     b->values_left_count--;
     Tree *tree = b->values_left++;
@@ -27,8 +27,8 @@ char *tree_build_text(TreeBuilder *b, size_t size)
     if (size >= LONG_TEXT)
         return arena_zero(b->session->arena, size + 1);
     if ((size_t)(b->text_end - b->text) < size + 1) {
-        b->text = arena_alloc(b->session->arena, TEXT_ROOM);
-        b->text_end = b->text + TEXT_ROOM;
+        b->text = arena_alloc(b->session->arena, TEXT_CAPACITY);
+        b->text_end = b->text + TEXT_CAPACITY;
     }
     char *text = b->text;
     b->text += size + 1;
@@ -43,12 +43,12 @@ void tree_build_check_text(TreeBuilder *b, const char *text, size_t size, Span s
 }
 
 /* Stacks use malloc; an arena would retain every size a stack has had. */
-void *tree_build_room(void *stack, size_t count, size_t *room, size_t size)
+void *tree_build_capacity(void *stack, size_t count, size_t *capacity, size_t size)
 {
-    if (count < *room)
+    if (count < *capacity)
         return stack;
-    *room = *room ? 2 * *room : 64;
-    stack = realloc(stack, *room * size);
+    *capacity = *capacity ? 2 * *capacity : 64;
+    stack = realloc(stack, *capacity * size);
     if (!stack)
         memory_exhausted();
     return stack;
@@ -56,13 +56,14 @@ void *tree_build_room(void *stack, size_t count, size_t *room, size_t size)
 
 void tree_build_item(TreeBuilder *b, Tree *item)
 {
-    b->items = tree_build_room(b->items, b->item_count, &b->item_room, sizeof *b->items);
+    b->items = tree_build_capacity(b->items, b->item_count, &b->item_capacity, sizeof *b->items);
     b->items[b->item_count++] = item;
 }
 
 void tree_build_member(TreeBuilder *b, Member member)
 {
-    b->members = tree_build_room(b->members, b->member_count, &b->member_room, sizeof *b->members);
+    b->members =
+        tree_build_capacity(b->members, b->member_count, &b->member_capacity, sizeof *b->members);
     b->members[b->member_count++] = member;
 }
 

@@ -14,9 +14,9 @@ typedef struct {
     int values_left_count;
     char *text, *text_end; /* preallocated space for texts */
     Tree **items;          /* items of unfinished lists */
-    size_t item_count, item_room;
+    size_t item_count, item_capacity;
     Member *members; /* members of unfinished objects */
-    size_t member_count, member_room;
+    size_t member_count, member_capacity;
     Span zero; /* the first text that contains a zero byte; empty: none */
 } TreeBuilder;
 
@@ -40,5 +40,5 @@ bool tree_build_merge(TreeBuilder *b, Tree *object, Tree *const *bases, size_t c
 void tree_build_done(TreeBuilder *b);
 /* Ensures that a malloc'ed stack has capacity for one element more than `count`, doubling its
  * capacity. */
-void *tree_build_room(void *stack, size_t count, size_t *room, size_t size);
+void *tree_build_capacity(void *stack, size_t count, size_t *capacity, size_t size);
 #endif

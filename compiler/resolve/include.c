@@ -171,7 +171,7 @@ Tree *include_read(Session *session, const Tree *name, int depth, bool *fine)
     if (!looks_like_document(&found))
         return diag_add(session, name->span, DIAG_include_no_document, name->text);
     const Source source = {.name = found.path, .text = found.text, .size = found.size};
-    ARENA_PUSH(session->arena, session->sources, session->source_count, session->source_room,
+    ARENA_PUSH(session->arena, session->sources, session->source_count, session->source_capacity,
                source);
     Tree *tree = read_document(session, (uint32_t)session->source_count - 1);
     if (tree && tree->kind != TREE_object)

@@ -14,7 +14,8 @@ static const char *const space_names[] = {"linear", "srgb"};
 
 static FileColors file_colors(const Resolver *r, uint32_t file)
 {
-    return file < r->file_color_room ? (FileColors)r->file_colors[file] : FILE_COLORS_undeclared;
+    return file < r->file_color_capacity ? (FileColors)r->file_colors[file]
+                                         : FILE_COLORS_undeclared;
 }
 
 bool resolve_is_srgb(const Resolver *r, uint32_t file)
@@ -32,8 +33,8 @@ bool resolve_color_space(Resolver *r, const Tree *document)
         if (strcmp(name->text, space_names[srgb]) != 0)
             continue;
         const uint32_t file = name->span.file;
-        r->file_colors = arena_reach(r->session->arena, r->file_colors, file, &r->file_color_room,
-                                     sizeof *r->file_colors);
+        r->file_colors = arena_reach(r->session->arena, r->file_colors, file,
+                                     &r->file_color_capacity, sizeof *r->file_colors);
         r->file_colors[file] = (unsigned char)(srgb ? FILE_COLORS_srgb : FILE_COLORS_linear);
         return true;
     }

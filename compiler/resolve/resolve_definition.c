@@ -36,7 +36,7 @@ typedef struct {
     size_t count;
     const Tree **shared; /* targets of aliases, and their copies */
     Tree **copies;
-    size_t shared_count, shared_room, copies_count, copies_room;
+    size_t shared_count, shared_capacity, copies_count, copies_capacity;
     HashIndex index;
 } Copy;
 
@@ -246,8 +246,8 @@ static Tree *copy_shared(Copy *c, Tree *tree)
     Arena *arena = c->r->session->arena;
     Tree *copy = copy_parts(c, tree);
     hash_index_add(arena, &c->index, hash_pointer(tree), (uint32_t)c->shared_count);
-    ARENA_PUSH(arena, c->shared, c->shared_count, c->shared_room, tree);
-    ARENA_PUSH(arena, c->copies, c->copies_count, c->copies_room, copy);
+    ARENA_PUSH(arena, c->shared, c->shared_count, c->shared_capacity, tree);
+    ARENA_PUSH(arena, c->copies, c->copies_count, c->copies_capacity, copy);
     return copy;
 }
 
@@ -340,7 +340,7 @@ Tree *resolve_definition(Resolver *r, const Member *definition, const Tree *use)
     Expansion *e = ARENA_NEW(r->session->arena, Expansion);
     *e = (Expansion){definition->value, c.arguments, expand(&c)};
     hash_index_add(r->session->arena, &r->expansion_index, hash, (uint32_t)r->expansion_count);
-    ARENA_PUSH(r->session->arena, r->expansions, r->expansion_count, r->expansion_room, e);
+    ARENA_PUSH(r->session->arena, r->expansions, r->expansion_count, r->expansion_capacity, e);
     return e->tree;
 }
 

@@ -71,7 +71,7 @@ static bool read_defs(Resolver *r, Tree *document, int depth)
             return false;
         }
         name_defs(defs->value);
-        ARENA_PUSH(r->session->arena, r->defs, r->def_count, r->def_room, defs->value);
+        ARENA_PUSH(r->session->arena, r->defs, r->def_count, r->def_capacity, defs->value);
     }
     if (!include || tree_is_null(include->value))
         return fine;

@@ -19,7 +19,7 @@ typedef struct {
     const Tree *parameters;
     uint32_t skipped; /* bytes of the text before the formula */
     Item *items;
-    size_t count, room;
+    size_t count, capacity;
     Names names;
 } Inputs;
 
@@ -144,7 +144,7 @@ static int find_input(void *user, const char *name, const FormulaStep *step, int
         return FORMULA_REPORTED;
     const Item item = {
         .value = {.kind = VALUE_number, .type = TYPE_float}, .input = node, .span = member->span};
-    ARENA_PUSH(r->session->arena, in->items, in->count, in->room, item);
+    ARENA_PUSH(r->session->arena, in->items, in->count, in->capacity, item);
     *width = node ? node->width : 3;
     return names_add(r->session->arena, &in->names, name);
 }
@@ -173,7 +173,8 @@ static int find_attribute(void *user, const FormulaAttribute *given)
     *attribute = (MeshAttribute){
         .name = given->name, .type = given->type, .span = span, .index = (int)r->attribute_count};
     memcpy(attribute->initial, given->initial, sizeof attribute->initial);
-    ARENA_PUSH(r->session->arena, r->attributes, r->attribute_count, r->attribute_room, attribute);
+    ARENA_PUSH(r->session->arena, r->attributes, r->attribute_count, r->attribute_capacity,
+               attribute);
     return names_add(r->session->arena, &r->attribute_names, attribute->name);
 }
 

@@ -120,7 +120,7 @@ const Node *resolve_make_node(Resolver *r, Node of)
     *node = of;
     node->index = r->node_count++;
     node->owner = r->owner;
-    ARENA_PUSH(r->session->arena, r->nodes, r->named_count, r->named_room, node);
+    ARENA_PUSH(r->session->arena, r->nodes, r->named_count, r->named_capacity, node);
     node->written = of.written ? of.written : of.kind; /* kind 0 is never a translated material */
     node->width = (int8_t)width_of_node(node);
     return measure(r, node) ? node : NULL;

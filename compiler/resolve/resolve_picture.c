@@ -35,7 +35,8 @@ void resolve_picture(Resolver *r, const Node *node, Value *params)
     const UndecidedPicture picture = {node, decided || floats ? NULL : space,
                                       texels->given ? NULL : texels};
     if (picture.colorspace || picture.texels)
-        ARENA_PUSH(r->session->arena, r->undecided, r->undecided_count, r->undecided_room, picture);
+        ARENA_PUSH(r->session->arena, r->undecided, r->undecided_count, r->undecided_capacity,
+                   picture);
 }
 
 /* Depth-first search from a set of nodes, either along color parameters only or along all;

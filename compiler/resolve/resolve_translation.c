@@ -22,7 +22,7 @@ typedef struct {
     Span span; /* span of the material's name */
     const Value *params;
     Item *items;
-    size_t count, room;
+    size_t count, capacity;
     Names names;
     const Value *given; /* the first input given in the document; NULL: all are defaults */
 } Foreign;
@@ -89,7 +89,7 @@ static int find_input(void *user, const char *name, const FormulaStep *step, int
         if (!s->given && s->params[param].given)
             s->given = &s->params[param];
     }
-    ARENA_PUSH(s->r->session->arena, s->items, s->count, s->room, item);
+    ARENA_PUSH(s->r->session->arena, s->items, s->count, s->capacity, item);
     *width = item.width;
     return names_add(s->r->session->arena, &s->names, name);
 }
@@ -97,7 +97,7 @@ static int find_input(void *user, const char *name, const FormulaStep *step, int
 static const Formula *read_formula(Foreign *s, const char *text)
 {
     s->items = NULL;
-    s->count = s->room = 0;
+    s->count = s->capacity = 0;
     s->names = (Names){0};
     s->given = NULL;
     const FormulaSource source = {.session = s->r->session,
@@ -128,15 +128,17 @@ static bool known_input(const Item *item, double components[4])
 static bool value_with(const Foreign *s, const Formula *formula, const double guess[4],
                        double result[4])
 {
-    double(*room)[4] = arena_zero(s->r->session->arena, (s->count + formula->count) * sizeof *room);
+    double(*capacity)[4] =
+        arena_zero(s->r->session->arena, (s->count + formula->count) * sizeof *capacity);
     bool known = !formula->groups && !formula->meshed;
     for (size_t i = 0; known && i < s->count; i++)
-        if (!known_input(&s->items[i], room[i])) {
+        if (!known_input(&s->items[i], capacity[i])) {
             known = guess != NULL;
             for (int component = 0; known && component < 4; component++)
-                room[i][component] = guess[s->items[i].width > 1 ? component : 0];
+                capacity[i][component] = guess[s->items[i].width > 1 ? component : 0];
         }
-    const FormulaPoint point = {.inputs = (const double(*)[4])room, .values = room + s->count};
+    const FormulaPoint point = {.inputs = (const double(*)[4])capacity,
+                                .values = capacity + s->count};
     if (known)
         formula_value(formula, &point, result);
     for (int component = 0; known && component < formula->width; component++)

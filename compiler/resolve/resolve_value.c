@@ -103,7 +103,7 @@ static bool name_uniform(Resolver *r, const Tree *name, Value *value)
                          .span = name->span,
                          .index = (int)r->uniform_count};
     memcpy(uniform->initial, value->number, sizeof value->number);
-    ARENA_PUSH(r->session->arena, r->uniforms, r->uniform_count, r->uniform_room, uniform);
+    ARENA_PUSH(r->session->arena, r->uniforms, r->uniform_count, r->uniform_capacity, uniform);
     names_add(r->session->arena, &r->uniform_names, uniform->name);
     value->uniform = uniform;
     return true;

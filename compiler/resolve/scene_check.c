@@ -13,7 +13,7 @@ typedef struct {
     const Tree *defs;      /* `defs:` of the document; NULL: absent */
     HashIndex met;         /* parts already checked, since aliases can share them */
     const Tree **parts;
-    size_t part_count, part_room;
+    size_t part_count, part_capacity;
 } SceneCheck;
 
 /* -- Kinds and keys */
@@ -212,7 +212,7 @@ static bool is_met(SceneCheck *c, const Tree *tree)
         if (c->parts[probe.number] == tree)
             return true;
     hash_index_add(c->session->arena, &c->met, hash_pointer(tree), (uint32_t)c->part_count);
-    ARENA_PUSH(c->session->arena, c->parts, c->part_count, c->part_room, tree);
+    ARENA_PUSH(c->session->arena, c->parts, c->part_count, c->part_capacity, tree);
     return false;
 }
 
@@ -238,7 +238,7 @@ void scene_check(const Resolver *r, const Tree *document)
                             .def_count = r->def_count,
                             .lacks_file = r->lacks_file,
                             .file_colors = r->file_colors,
-                            .file_color_room = r->file_color_room};
+                            .file_color_capacity = r->file_color_capacity};
     c.materials = materials && materials->value->kind == TREE_object ? materials->value : NULL;
     c.defs = defs && defs->value->kind == TREE_object ? defs->value : NULL;
     for (uint32_t i = 0; i < document->count; i++) {

@@ -20,7 +20,7 @@ static void note_file(Batch *b, const char *path, Key key)
     pthread_mutex_lock(&b->mutex);
     int number = string_set_add(&b->files, path, &added);
     if (added) {
-        b->file_keys = sets_resize(b->file_keys, (size_t)b->files.room * sizeof *b->file_keys);
+        b->file_keys = sets_resize(b->file_keys, (size_t)b->files.capacity * sizeof *b->file_keys);
         b->file_keys[number] = key;
     }
     bool same = key_equal(b->file_keys[number], key);
@@ -186,7 +186,7 @@ static bool load_document(Batch *b, BatchDocument *document, BytesReader *from)
     document->offset = (int)bytes_take_number(from);
     if (from->broken || depend_count < 1)
         return false;
-    batch_document_make_room(document, count, b->request_count, depend_count);
+    batch_document_make_capacity(document, count, b->request_count, depend_count);
     bytes_take_number(&depends);
     document->depends[0] = sets_copy(document->path);
     for (int i = 1; i < depend_count; i++) {

@@ -64,7 +64,7 @@ static int count_materials(Batch *b, BatchDocument *document)
     return document->offset >= 0;
 }
 
-void batch_document_make_room(BatchDocument *document, int materials, int requests, int depends)
+void batch_document_make_capacity(BatchDocument *document, int materials, int requests, int depends)
 {
     size_t units = (size_t)materials * (size_t)requests;
     document->material_count = materials;
@@ -82,7 +82,7 @@ bool batch_document_list(Batch *b, BatchDocument *document)
 {
     const MatcDocument *parsed = batch_document_parsed(b, document);
     int count = count_materials(b, document);
-    batch_document_make_room(document, count, b->request_count, matc_depend_count(parsed));
+    batch_document_make_capacity(document, count, b->request_count, matc_depend_count(parsed));
     for (int i = 0; i < count; i++)
         document->materials[i].name = sets_copy(matc_material_name(parsed, document->offset + i));
     for (int i = 0; i < document->depend_count; i++)

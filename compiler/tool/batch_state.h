@@ -155,7 +155,8 @@ const MatcDocument *batch_document_parsed(Batch *batch, BatchDocument *document)
 /* Lists its materials and included files by parsing the document. Returns false after reporting
  * faults. */
 bool batch_document_list(Batch *batch, BatchDocument *document);
-void batch_document_make_room(BatchDocument *document, int materials, int requests, int depends);
+void batch_document_make_capacity(BatchDocument *document, int materials, int requests,
+                                  int depends);
 void batch_close(BatchDocument *document);
 void batch_document_free(BatchDocument *document, int requests);
 

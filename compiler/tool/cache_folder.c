@@ -136,15 +136,15 @@ typedef struct {
 } Entry;
 typedef struct {
     Entry *at;
-    size_t count, room;
+    size_t count, capacity;
     uint64_t bytes;
 } Entries;
 
 static void push(Entries *entries, const char *above, const char *name, const struct stat *info)
 {
-    if (entries->count == entries->room) {
-        entries->room = entries->room ? 2 * entries->room : 1024;
-        entries->at = realloc(entries->at, entries->room * sizeof *entries->at);
+    if (entries->count == entries->capacity) {
+        entries->capacity = entries->capacity ? 2 * entries->capacity : 1024;
+        entries->at = realloc(entries->at, entries->capacity * sizeof *entries->at);
         if (!entries->at)
             memory_exhausted();
     }

@@ -11,7 +11,7 @@ const vec3 direction[LIGHTS] = vec3[LIGHTS](vec3(-.50, .62, .60), vec3(.87, .10,
 const vec3 power[LIGHTS] = vec3[LIGHTS](vec3(1.05, 1., .92), vec3(.16, .20, .27), vec3(.5, .53, .58));
 
 // What comes from all around: a bright ceiling, a dark floor.
-vec3 room(vec3 to, float sharp) {
+vec3 capacity(vec3 to, float sharp) {
     float up = smoothstep(-sharp, sharp, to.y);
     return mix(vec3(.05, .045, .04), vec3(.20, .21, .23), up);
 }
@@ -36,7 +36,7 @@ void main() {
 #else
     vec3 mirrored = surfaceGloss(m);
 #endif
-    vec3 sum = surfaceOwn(m) + surfaceEven(m) * room(m.normal, 1.) + mirrored * room(m.reflected, .5);
+    vec3 sum = surfaceOwn(m) + surfaceEven(m) * capacity(m.normal, 1.) + mirrored * capacity(m.reflected, .5);
     for (int i = 0; i < LIGHTS; i++) sum += surfaceLobe(m, direction[i]) * power[i];
     sum += surfaceThrough(s, TO_EYE) * backdrop(fract(gl_FragCoord.xy / cell - .08 * m.normal.xy)); // bent a little
     color.rgb = sum / (1. + .25 * max(max(sum.r, sum.g), sum.b)) * 1.25; // bright lights do not clip at once

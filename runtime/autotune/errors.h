@@ -26,7 +26,7 @@ typedef struct {
     Field points, view;
     Framebuffer picture;
     Known *known;
-    int known_count, known_room;
+    int known_count, known_capacity;
     Truth truth[CHOICE_COUNT * CHOICE_COUNT]; /* indexed by the choices of noise and derivatives */
 } Errors;
 
@@ -42,5 +42,5 @@ bool errors_has_truth(Errors *e, const Variant *variant);
  * errors of *m. Returns false if the program cannot be drawn. */
 bool errors_measure(Errors *e, Measured *m, MatcProgram *program, Material *material);
 /* Allocates with calloc; ends the process if memory runs out. */
-void *errors_room(size_t count, size_t size);
+void *errors_capacity(size_t count, size_t size);
 #endif

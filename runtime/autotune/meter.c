@@ -9,18 +9,18 @@ static bool fail(Meter *m, const char *what)
     return message_fail(m->error, sizeof m->error, "%s%s%s", what, *what ? ": " : "", m->gl->error);
 }
 
-Meter *meter_open(GlKind kind, char *error, size_t room)
+Meter *meter_open(GlKind kind, char *error, size_t capacity)
 {
     const FramebufferSpec spec = {POINTS_WIDTH, POINTS_HEIGHT, 1, GL_RGBA32F, false};
     Meter *m = calloc(1, sizeof *m);
     if (!m)
         abort();
-    m->gl = gl_open(kind, true, error, room);
+    m->gl = gl_open(kind, true, error, capacity);
     m->store = m->gl ? store_new(m->gl) : NULL;
     if (m->store && framebuffer_make(m->gl, &spec, &m->numbers))
         return m;
     if (m->gl)
-        message_fail(error, room, "%s", m->gl->error);
+        message_fail(error, capacity, "%s", m->gl->error);
     meter_close(m);
     return NULL;
 }

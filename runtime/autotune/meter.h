@@ -24,7 +24,7 @@ typedef struct {
 } MeterDraw;
 
 /* Opens a context and makes it current. Returns NULL with the reason in `error`. */
-Meter *meter_open(GlKind kind, char *error, size_t room);
+Meter *meter_open(GlKind kind, char *error, size_t capacity);
 void meter_close(Meter *meter);
 
 /* Creates the material of a GLSL 3.30 program, which the caller keeps. Returns false with the

@@ -35,5 +35,5 @@ char *plot_svg(const Plot *plot);
 
 /* Renders SVG to a PNG file at `scale` times its size with librsvg and cairo, which are loaded
  * at run time. Returns false with the reason in `error`. */
-bool plot_png(const char *svg, double scale, const char *path, char *error, size_t room);
+bool plot_png(const char *svg, double scale, const char *path, char *error, size_t capacity);
 #endif

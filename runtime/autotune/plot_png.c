@@ -56,12 +56,12 @@ typedef struct {
     const char *path;
 } Drawing;
 
-static bool write(const Drawing *drawing, char *error, size_t room)
+static bool write(const Drawing *drawing, char *error, size_t capacity)
 {
     const Library *l = drawing->library;
     double width = 0, height = 0;
     if (!l->handle_size(drawing->handle, &width, &height))
-        return message_fail(error, room, "librsvg finds no size in the plot");
+        return message_fail(error, capacity, "librsvg finds no size in the plot");
     const RsvgRectangle all = {0, 0, ceil(width * drawing->scale), ceil(height * drawing->scale)};
     void *surface = l->surface_new(CAIRO_ARGB32, (int)all.width, (int)all.height),
          *cairo = l->cairo_new(surface);
@@ -69,19 +69,19 @@ static bool write(const Drawing *drawing, char *error, size_t room)
     l->cairo_free(cairo);
     bool written = drawn && l->surface_write(surface, drawing->path) == CAIRO_SUCCESS;
     l->surface_free(surface);
-    return written || message_fail(error, room, "%s: the plot cannot be %s", drawing->path,
+    return written || message_fail(error, capacity, "%s: the plot cannot be %s", drawing->path,
                                    drawn ? "written" : "drawn");
 }
 
-bool plot_png(const char *svg, double scale, const char *path, char *error, size_t room)
+bool plot_png(const char *svg, double scale, const char *path, char *error, size_t capacity)
 {
     Library library;
     if (!load(&library))
-        return message_fail(error, room, "no librsvg-2.so.2 found (Debian: librsvg2-2)");
+        return message_fail(error, capacity, "no librsvg-2.so.2 found (Debian: librsvg2-2)");
     void *handle = library.handle_new((const uint8_t *)svg, strlen(svg), NULL);
     if (!handle)
-        return message_fail(error, room, "librsvg does not read the plot");
-    bool done = write(&(Drawing){&library, handle, scale, path}, error, room);
+        return message_fail(error, capacity, "librsvg does not read the plot");
+    bool done = write(&(Drawing){&library, handle, scale, path}, error, capacity);
     library.unref(handle);
     return done;
 }

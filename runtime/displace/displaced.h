@@ -25,7 +25,7 @@ typedef struct {
      * its own. */
     GLuint framebuffer, pixel;
     /* Bytes of the mesh's buffers of rows and indices, which are reused as long as they suffice. */
-    size_t room[2];
+    size_t capacity[2];
     size_t numbered; /* number of leading indices that are 0, 1, 2 ... */
     int points;      /* number of written points */
 } Displaced;

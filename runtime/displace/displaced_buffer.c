@@ -105,9 +105,9 @@ void displaced_reserve(Displaced *d, const Mesh *mesh, int buffer, size_t bytes)
 {
     enum { TOO_MUCH = 4 };
     const GlContext *gl = displaced_context(d);
-    if (d->room[buffer] >= bytes && d->room[buffer] / TOO_MUCH <= bytes)
+    if (d->capacity[buffer] >= bytes && d->capacity[buffer] / TOO_MUCH <= bytes)
         return;
-    d->room[buffer] = bytes;
+    d->capacity[buffer] = bytes;
     d->numbered = buffer == 1 ? 0 : d->numbered;
     gl->BindBuffer(GL_ARRAY_BUFFER, mesh->buffers[buffer]);
     gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)bytes, NULL, GL_DYNAMIC_DRAW);
@@ -131,7 +131,7 @@ bool displaced_unshared(Displaced *d, Mesh *mesh, int triangles)
 {
     const size_t count = 3 * (size_t)triangles;
     d->points = mesh->index_count = (GLsizei)count;
-    if (d->numbered >= count && d->room[1] / sizeof(uint32_t) >= count)
+    if (d->numbered >= count && d->capacity[1] / sizeof(uint32_t) >= count)
         return true;
     uint32_t *indices = malloc((count + 1) * sizeof *indices);
     for (size_t i = 0; indices && i < count; i++)

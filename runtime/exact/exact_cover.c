@@ -30,7 +30,7 @@ typedef enum { DONE, AGAIN, COARSER, FAILED } Outcome;
 
 static GlContext *context(const ExactCover *cover) { return store_context(cover->cover.store); }
 
-static void fail_room(const ExactCover *cover, size_t words)
+static void fail_capacity(const ExactCover *cover, size_t words)
 {
     gl_fail(context(cover), "shadows: exact takes %lu bytes in a buffer, and there may be %lu",
             (unsigned long)(words * sizeof(GLuint)), (unsigned long)(cover->most * sizeof(GLuint)));
@@ -54,10 +54,10 @@ static void make_buffer(const GlContext *gl, size_t words, GLuint *buffer)
 /* Enlarges the buffer of lists to `words` words. */
 static bool grow_lists(ExactCover *cover, size_t words)
 {
-    if (cover->room >= words)
+    if (cover->capacity >= words)
         return true;
-    cover->room = generous(words, cover->most);
-    make_buffer(context(cover), cover->room, &cover->lists);
+    cover->capacity = generous(words, cover->most);
+    make_buffer(context(cover), cover->capacity, &cover->lists);
     return gl_check(context(cover), "making room for exact shadows");
 }
 
@@ -116,7 +116,7 @@ static void begin(Maker *m)
                                            [EXACT_WORK_CELLS] = (GLuint)m->heads.cells,
                                            [EXACT_WORK_MOST] =
                                                (GLuint)(m->cover->most - first_list(m)),
-                                           [EXACT_WORK_ROOM] = (GLuint)m->cover->blocks,
+                                           [EXACT_WORK_CAPACITY] = (GLuint)m->cover->blocks,
                                            [EXACT_WORK_NEXT] = (GLuint)first_list(m)};
     gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, m->cover->work);
     gl->BufferSubData(GL_SHADER_STORAGE_BUFFER, 0, sizeof words, words);
@@ -137,13 +137,13 @@ static bool read_counts(Maker *m)
 /* -- buffer sizes */
 
 /* Enlarges the buffers if the counted entries and blocks do not fit. */
-static Outcome find_room(Maker *m)
+static Outcome find_capacity(Maker *m)
 {
     const size_t words = first_list(m) + m->counted[EXACT_WORK_ENTRIES],
                  blocks = m->counted[EXACT_WORK_BLOCKS];
     if (words > m->cover->most || blocks > MANY_BLOCKS)
         return COARSER;
-    if (words <= m->cover->room && blocks <= m->cover->blocks)
+    if (words <= m->cover->capacity && blocks <= m->cover->blocks)
         return DONE;
     return grow_lists(m->cover, words) && grow_blocks(m->cover, blocks) ? AGAIN : FAILED;
 }
@@ -159,7 +159,7 @@ static Outcome count(Maker *m)
     begin(m);
     bind(m);
     cover_cells(m, false);
-    return read_counts(m) ? find_room(m) : FAILED;
+    return read_counts(m) ? find_capacity(m) : FAILED;
 }
 
 static bool list(const Maker *m)
@@ -198,7 +198,7 @@ bool exact_cover_make(ExactCover *cover, const Scene *scene, const ExactTriangle
     for (int coarser = 0; outcome == COARSER && coarser <= EXACT_LISTS_COARSEST; coarser++)
         outcome = try(&m, scene, coarser);
     if (outcome == COARSER)
-        fail_room(cover, first_list(&m) + m.counted[EXACT_WORK_ENTRIES]);
+        fail_capacity(cover, first_list(&m) + m.counted[EXACT_WORK_ENTRIES]);
     const bool done = outcome == DONE && list(&m);
     exact_lists_free(&m.heads);
     return done;
@@ -245,5 +245,5 @@ void exact_cover_close(ExactCover *cover)
     exact_cover_empty(cover);
     material_delete(&cover->cover);
     material_delete(&cover->begins);
-    *cover = (ExactCover){.room = 0};
+    *cover = (ExactCover){.capacity = 0};
 }

@@ -209,7 +209,7 @@ bool isTooMuch() { return exact_entries > exact_most || exact_blocks > MANY_BLOC
 void queueBlocks(uvec2 number, uint light, ivec4 bounds)
 {
     uint count = uint((bounds.y - bounds.x) / ROWS + 1), at = atomicAdd(exact_blocks, count);
-    for (uint i = 0u; i < count && at + i < exact_room; i++)
+    for (uint i = 0u; i < count && at + i < exact_capacity; i++)
         exact_queue[at + i] = uvec2(number.x * 8u + number.y, light << 16 | i);
 }
 
@@ -266,6 +266,6 @@ void main()
 {
     if (!exact_rows) addTriangles(gl_WorkGroupID.y);
     else
-        for (uint i = gl_WorkGroupID.x; i < min(exact_blocks, exact_room); i += gl_NumWorkGroups.x)
+        for (uint i = gl_WorkGroupID.x; i < min(exact_blocks, exact_capacity); i += gl_NumWorkGroups.x)
             if (exact_lists || !isTooMuch()) addBlock(exact_queue[i]);
 }

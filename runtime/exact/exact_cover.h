@@ -12,9 +12,9 @@ typedef struct {
     Material cover, begins;
     /* Buffers: headers, cells, lists; counters of the programs, and blocks of rows. */
     GLuint lists, work;
-    size_t room, most; /* words of the buffer of lists, and their limit */
-    size_t blocks;     /* capacity of `work` */
-    size_t words;      /* words that the lists use */
+    size_t capacity, most; /* words of the buffer of lists, and their limit */
+    size_t blocks;         /* capacity of `work` */
+    size_t words;          /* words that the lists use */
     /* lights with headers; number of times that cells were doubled in width */
     int light_count, coarsened;
 } ExactCover;

@@ -10,7 +10,7 @@ typedef void (*GlProc)(void);
 typedef struct {
     /* Opens a context, makes it current, and returns its state; NULL on failure, with a reason
      * in `error`. */
-    void *(*open)(bool core, char *error, size_t room);
+    void *(*open)(bool core, char *error, size_t capacity);
     bool (*use)(void *state); /* makes the context current on this thread */
     /* Returns the address of a function such as "glClear"; NULL if the driver lacks it. */
     GlProc (*load)(void *state, const char *name);

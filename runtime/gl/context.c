@@ -119,15 +119,15 @@ static bool start(GlContext *gl)
     return gl_check(gl, "opening the context");
 }
 
-GlContext *gl_open(GlKind kind, bool core, char *error, size_t room)
+GlContext *gl_open(GlKind kind, bool core, char *error, size_t capacity)
 {
     if ((unsigned)kind >= GL_KIND_count) {
-        message_fail(error, room, "unknown kind of GL context");
+        message_fail(error, capacity, "unknown kind of GL context");
         return NULL;
     }
     GlContext *gl = calloc(1, sizeof *gl);
     if (!gl) {
-        message_fail(error, room, "out of memory");
+        message_fail(error, capacity, "out of memory");
         return NULL;
     }
     gl->kind = kind;
@@ -135,17 +135,17 @@ GlContext *gl_open(GlKind kind, bool core, char *error, size_t room)
     gl->state = backends[kind]->open(core, gl->error, sizeof gl->error);
     if (gl->state && start(gl))
         return gl;
-    message_fail(error, room, "%s", gl->error);
+    message_fail(error, capacity, "%s", gl->error);
     gl_close(gl);
     return NULL;
 }
 
-GlContext *gl_adopt(const GlHost *host, char *error, size_t room)
+GlContext *gl_adopt(const GlHost *host, char *error, size_t capacity)
 {
     GlContext *gl = calloc(1, sizeof *gl);
     GlHost *state = malloc(sizeof *state);
     if (!gl || !state) {
-        message_fail(error, room, "out of memory");
+        message_fail(error, capacity, "out of memory");
         free(gl);
         free(state);
         return NULL;
@@ -157,7 +157,7 @@ GlContext *gl_adopt(const GlHost *host, char *error, size_t room)
     if (start(gl) && (gl->major * 10 + gl->minor >= 33 ||
                       gl_fail(gl, "the context has OpenGL %d.%d, not 3.3", gl->major, gl->minor)))
         return gl;
-    message_fail(error, room, "%s", gl->error);
+    message_fail(error, capacity, "%s", gl->error);
     gl_close(gl);
     return NULL;
 }

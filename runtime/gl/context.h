@@ -54,11 +54,11 @@ bool gl_kind_find(const char *name, GlKind *kind);
 /* Opens a context and makes it current. With `core` the version is 4.5, or 3.3 if the driver has
  * no more; otherwise the highest compatibility profile. NULL on failure, with a reason in
  * `error`. */
-GlContext *gl_open(GlKind kind, bool core, char *error, size_t room);
+GlContext *gl_open(GlKind kind, bool core, char *error, size_t capacity);
 
 /* Adopts the caller's context of OpenGL 3.3 core or later, which gl_close() does not destroy.
  * NULL on failure, with a reason in `error`. */
-GlContext *gl_adopt(const GlHost *host, char *error, size_t room);
+GlContext *gl_adopt(const GlHost *host, char *error, size_t capacity);
 
 /* Makes the context current; needed only if a thread has several contexts. */
 bool gl_use(GlContext *gl);

@@ -37,7 +37,7 @@ typedef struct {
 #undef F
     PFNEGLGETPLATFORMDISPLAYEXTPROC get_platform_display;
     char *error; /* the caller's buffer for the reason why the last display failed */
-    size_t room;
+    size_t capacity;
 } Egl;
 
 static bool load_library(Egl *e)
@@ -46,12 +46,12 @@ static bool load_library(Egl *e)
     if (!library)
         library = dlopen("libEGL.so", RTLD_NOW | RTLD_LOCAL);
     if (!library) /* never closed, like OSMesa */
-        return message_fail(e->error, e->room, "no libEGL.so.1 found (Debian: libegl1)");
+        return message_fail(e->error, e->capacity, "no libEGL.so.1 found (Debian: libegl1)");
     void *symbol;
 #define F(NAME, Name)                                                                              \
     symbol = dlsym(library, "egl" #Name);                                                          \
     if (!symbol)                                                                                   \
-        return message_fail(e->error, e->room,                                                     \
+        return message_fail(e->error, e->capacity,                                                 \
                             "libEGL has no egl" #Name ": it is older than EGL 1.4");               \
     memcpy(&e->Name, &symbol, sizeof symbol);
     EGL_FUNCTIONS(F)
@@ -71,7 +71,8 @@ static bool has_word(const char *list, const char *word)
 
 static bool fail(const Egl *e, const char *what)
 {
-    return message_fail(e->error, e->room, "EGL %s (error 0x%04X)", what, (unsigned)e->GetError());
+    return message_fail(e->error, e->capacity, "EGL %s (error 0x%04X)", what,
+                        (unsigned)e->GetError());
 }
 
 static bool choose_config(const Egl *e, EGLConfig *config)
@@ -208,16 +209,16 @@ static void egl_close(void *state)
     free(state);
 }
 
-static void *egl_open(bool core, char *error, size_t room)
+static void *egl_open(bool core, char *error, size_t capacity)
 {
     Egl *e = calloc(1, sizeof *e);
     if (!e) {
-        message_fail(error, room, "out of memory");
+        message_fail(error, capacity, "out of memory");
         return NULL;
     }
     e->core = core;
     e->error = error;
-    e->room = room;
+    e->capacity = capacity;
     if (start(e))
         return e;
     free(e);

@@ -3,13 +3,13 @@
 #include <stdarg.h>
 #include <stdio.h>
 
-bool message_fail(char *error, size_t room, const char *format, ...)
+bool message_fail(char *error, size_t capacity, const char *format, ...)
 {
-    if (!error || room == 0)
+    if (!error || capacity == 0)
         return false; /* the caller ignores the message */
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(error, room, format, arguments);
+    vsnprintf(error, capacity, format, arguments);
     va_end(arguments);
     return false;
 }

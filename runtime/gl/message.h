@@ -7,6 +7,6 @@
 
 /* Formats into `error`, truncated to `room` bytes; `error` may be NULL. Returns false, for
  * guards such as `return message_fail(...)`. */
-__attribute__((format(printf, 3, 4))) bool message_fail(char *error, size_t room,
+__attribute__((format(printf, 3, 4))) bool message_fail(char *error, size_t capacity,
                                                         const char *format, ...);
 #endif

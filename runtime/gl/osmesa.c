@@ -19,7 +19,7 @@ typedef struct {
 
 /* Loads the library, or reports the loader's reason: loading may also fail because memory runs
  * out. */
-static void *open_library(char *error, size_t room)
+static void *open_library(char *error, size_t capacity)
 {
     static const char *const names[] = {"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"};
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
@@ -29,7 +29,7 @@ static void *open_library(char *error, size_t room)
              * calls are cheap */
             return library;
         if (i == 0)
-            message_fail(error, room, "%s (Debian: libosmesa6)", dlerror());
+            message_fail(error, capacity, "%s (Debian: libosmesa6)", dlerror());
     }
     return NULL;
 }
@@ -96,30 +96,30 @@ static void osmesa_close(void *state)
     free(o);
 }
 
-static bool start(Osmesa *o, bool core, char *error, size_t room)
+static bool start(Osmesa *o, bool core, char *error, size_t capacity)
 {
-    void *library = open_library(error, room);
+    void *library = open_library(error, capacity);
     if (!library)
         return false;
     if (!find_all(o, library))
-        return message_fail(error, room, "libOSMesa is older than Mesa 11.2");
+        return message_fail(error, capacity, "libOSMesa is older than Mesa 11.2");
     o->context = create(o, core);
     if (!o->context)
-        return message_fail(error, room, "OSMesa has no %s context",
+        return message_fail(error, capacity, "OSMesa has no %s context",
                             core ? "core OpenGL 3.3" : "OpenGL 2.1");
     if (!osmesa_use(o))
-        return message_fail(error, room, "OSMesa does not make its context current");
+        return message_fail(error, capacity, "OSMesa does not make its context current");
     return true;
 }
 
-static void *osmesa_open(bool core, char *error, size_t room)
+static void *osmesa_open(bool core, char *error, size_t capacity)
 {
     Osmesa *o = calloc(1, sizeof *o);
     if (!o) {
-        message_fail(error, room, "out of memory");
+        message_fail(error, capacity, "out of memory");
         return NULL;
     }
-    if (start(o, core, error, room))
+    if (start(o, core, error, capacity))
         return o;
     osmesa_close(o);
     return NULL;

@@ -24,10 +24,11 @@ uint8_t *png_write(const PngPicture *picture, size_t *size, const char **why)
     image.format = picture->components == 4 ? PNG_FORMAT_RGBA : PNG_FORMAT_RGB;
     /* a negative stride starts at the last row */
     png_int_32 upwards = -picture->width * picture->components;
-    png_alloc_size_t room = PNG_IMAGE_PNG_SIZE_MAX(image);
-    uint8_t *file = malloc(room);
-    if (!file || !png_image_write_to_memory(&image, file, &room, 0, picture->bytes, upwards, NULL))
+    png_alloc_size_t capacity = PNG_IMAGE_PNG_SIZE_MAX(image);
+    uint8_t *file = malloc(capacity);
+    if (!file ||
+        !png_image_write_to_memory(&image, file, &capacity, 0, picture->bytes, upwards, NULL))
         abort(); /* out of memory: the size is libpng's bound */
-    *size = room;
+    *size = capacity;
     return file;
 }

@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { TEXT_ROOM = 12288 };
+enum { TEXT_CAPACITY = 12288 };
 
 static const char *const attributes[FIELD_VARYINGS + 1] = {
     "at", "in_P", "in_N", "in_DU", "in_DV", "in_U", "in_X", "in_eyeN", "in_ray", "in_XU", "in_XV",
@@ -65,7 +65,7 @@ static int location(int input)
 /* by number of components */
 static const char *const types[] = {"", "float", "vec2", "vec3", "vec4"};
 
-void field_default(const MatcAttribute *attribute, char text[FIELD_DEFAULT_ROOM])
+void field_default(const MatcAttribute *attribute, char text[FIELD_DEFAULT_CAPACITY])
 {
     Arena scratch = {0};
     Text components = text_new(&scratch);
@@ -73,17 +73,18 @@ void field_default(const MatcAttribute *attribute, char text[FIELD_DEFAULT_ROOM]
         text_put(&components, component ? ", " : "");
         text_double(&components, attribute->initial[component]);
     }
-    snprintf(text, FIELD_DEFAULT_ROOM, "%s(%s)", types[attribute->components], components.at);
+    snprintf(text, FIELD_DEFAULT_CAPACITY, "%s(%s)", types[attribute->components], components.at);
     arena_free(&scratch);
 }
 
 /* Appends like snprintf. */
 #define PUT(...)                                                                                   \
-    (size += snprintf(text + size, size < TEXT_ROOM ? (size_t)(TEXT_ROOM - size) : 0, __VA_ARGS__))
+    (size += snprintf(text + size, size < TEXT_CAPACITY ? (size_t)(TEXT_CAPACITY - size) : 0,      \
+                      __VA_ARGS__))
 
 /* Writes the vertex program. Named attributes get their defaults, since no mesh is drawn. */
 static void write_vertex(Target target, const MatcProgram *program, const char *fragment,
-                         char text[TEXT_ROOM])
+                         char text[TEXT_CAPACITY])
 {
     const bool old = !target_table[target].in_out, located = target_table[target].locations;
     const char *in = old ? "attribute" : "in", *out = old ? "varying" : "out";
@@ -109,7 +110,7 @@ static void write_vertex(Target target, const MatcProgram *program, const char *
     PUT("void main() {\n");
     for (int i = 0; i < named; i++) {
         const MatcAttribute *attribute = matc_attribute(program, i);
-        char value[FIELD_DEFAULT_ROOM];
+        char value[FIELD_DEFAULT_CAPACITY];
         field_default(attribute, value);
         PUT("    %s = %s;\n", attribute->varying, value);
     }
@@ -122,7 +123,7 @@ static void write_vertex(Target target, const MatcProgram *program, const char *
 
 bool field_material(Store *store, MatcProgram *program, const FieldText *text, Material *made)
 {
-    char vertex[TEXT_ROOM];
+    char vertex[TEXT_CAPACITY];
     const char *fragment =
         text->fragment ? text->fragment : matc_output(program, MATC_FRAGMENT, NULL);
     write_vertex(text->target, program, fragment, vertex);

@@ -31,9 +31,9 @@ typedef struct {
     const char *library;  /* GLSL to link in addition, or NULL */
 } FieldText;
 
-enum { FIELD_DEFAULT_ROOM = 128 };
+enum { FIELD_DEFAULT_CAPACITY = 128 };
 /* Writes the default of a named attribute as GLSL, such as vec2(0.5, 1). */
-void field_default(const MatcAttribute *attribute, char text[FIELD_DEFAULT_ROOM]);
+void field_default(const MatcAttribute *attribute, char text[FIELD_DEFAULT_CAPACITY]);
 
 /* Makes a material whose vertex program passes the vertices' inputs on; its uniform vec2
  * field_jitter shifts the picture in clip space. Otherwise as material_make(). */

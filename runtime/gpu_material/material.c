@@ -14,7 +14,7 @@ static GlContext *context(const Material *m) { return store_context(m->store); }
 
 static const GlUniforms *uniforms_of(const Material *m) { return &m->program->uniforms; }
 
-static bool make_room(Material *m)
+static bool make_capacity(Material *m)
 {
     const GlUniforms *all = uniforms_of(m);
     m->values = calloc((size_t)all->count + 1, sizeof *m->values);
@@ -140,8 +140,8 @@ bool material_write(Material *m, const char *block, const void *bytes, size_t si
     const GLuint index = gl->GetUniformBlockIndex(m->program->name, block);
     if (index == GL_INVALID_INDEX)
         return false;
-    const size_t room = (size_t)uniforms_of(m)->block_sizes[index];
-    memcpy(m->blocks[index].bytes, bytes, size < room ? size : room);
+    const size_t capacity = (size_t)uniforms_of(m)->block_sizes[index];
+    memcpy(m->blocks[index].bytes, bytes, size < capacity ? size : capacity);
     m->blocks[index].changed = true;
     return true;
 }
@@ -171,7 +171,7 @@ static bool make(Material *m, MatcProgram *program, const ProgramText *text)
                        matc_texture_count(program),
                        most_textures(m)); /* before the driver fails with an unclear message */
     m->program = store_program(m->store, &whole);
-    if (!m->program || !make_room(m))
+    if (!m->program || !make_capacity(m))
         return false;
     material_set_number(m, "matc_ior", 1);
     material_set(m, &(MaterialValue){"matc_viewer", 4, along_z});

@@ -12,26 +12,27 @@
 #include "runtime/gpu_material/reader.h"
 #include <stdio.h>
 
-enum { HEAD_ROOM = 256, MAIN_ROOM = 8192 };
+enum { HEAD_CAPACITY = 256, MAIN_CAPACITY = 8192 };
 
 static bool is_old(const ReaderSource *source) { return !target_table[source->target].in_out; }
 
-static void write_head(const ReaderSource *source, char text[HEAD_ROOM])
+static void write_head(const ReaderSource *source, char text[HEAD_CAPACITY])
 {
     const TargetRow *row = &target_table[source->target];
-    snprintf(text, HEAD_ROOM, "#version %s\n%s", row->version,
+    snprintf(text, HEAD_CAPACITY, "#version %s\n%s", row->version,
              row->precision
                  ? "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\n"
                  : "");
 }
 
-static void write_main(const ReaderSource *source, char text[MAIN_ROOM])
+static void write_main(const ReaderSource *source, char text[MAIN_CAPACITY])
 {
     static const char *const fill[] = {"", ", 0.0, 0.0, 0.0", ", 0.0, 0.0", ", 0.0", ""};
     const char *value = is_old(source) ? "gl_FragColor" : "value";
     size_t size = 0;
 #define PUT(...)                                                                                   \
-    (size += (size_t)snprintf(text + size, size < MAIN_ROOM ? MAIN_ROOM - size : 0, __VA_ARGS__))
+    (size +=                                                                                       \
+     (size_t)snprintf(text + size, size < MAIN_CAPACITY ? MAIN_CAPACITY - size : 0, __VA_ARGS__))
     PUT("\nuniform int reader_slot;\n%svoid main() {\n",
         is_old(source) ? "" : "layout(location = 0) out vec4 value;\n");
     if (is_old(source))
@@ -57,7 +58,7 @@ static void write_main(const ReaderSource *source, char text[MAIN_ROOM])
 
 static bool make(Store *store, const ReaderSource *source, Reader *r)
 {
-    char head[HEAD_ROOM], body[MAIN_ROOM];
+    char head[HEAD_CAPACITY], body[MAIN_CAPACITY];
     write_head(source, head);
     write_main(source, body);
     const ProgramText text = {.vertex = {head, is_old(source) ? screen_text_old : screen_text},

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { GROUP = 8, HEAD_ROOM = 128 };
+enum { GROUP = 8, HEAD_CAPACITY = 128 };
 
 static const struct {
     const char *name, *qualifier;
@@ -51,7 +51,7 @@ bool screen_pass_make(Store *store, const ScreenPassText *text, ScreenPass *made
 {
     const GlContext *gl = store_context(store);
     const int format = find_format(text->format), version = gl->major * 10 + gl->minor;
-    char head[HEAD_ROOM];
+    char head[HEAD_CAPACITY];
     snprintf(head, sizeof head, "#version %s core\n#define ENTRY_FORMAT %s\n",
              version >= 45   ? "450"
              : version >= 43 ? "430"

@@ -32,15 +32,15 @@ static bool is_orthographic(const EdgeLister *l)
 static void push(EdgeLister *l, const double from[3], const double to[3])
 {
     EdgeList *list = l->made;
-    if (list->count == list->room) {
-        const int room = list->room ? 2 * list->room : 256;
-        void *more = realloc(list->lines, (size_t)room * sizeof *list->lines);
+    if (list->count == list->capacity) {
+        const int capacity = list->capacity ? 2 * list->capacity : 256;
+        void *more = realloc(list->lines, (size_t)capacity * sizeof *list->lines);
         if (!more) {
             l->fine = false;
             return;
         }
         list->lines = more;
-        list->room = room;
+        list->capacity = capacity;
     }
     EdgeEnd *line = list->lines[list->count++];
     line[0] = (EdgeEnd){(float)from[0], (float)from[1], (float)from[2], l->crease};

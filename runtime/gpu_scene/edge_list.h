@@ -17,7 +17,7 @@ typedef struct {
 
 typedef struct {
     EdgeEnd (*lines)[EDGE_LIST_TEXELS]; /* two ends, a texel each */
-    int count, room;
+    int count, capacity;
 } EdgeList;
 
 /* Finds the edges of an object that is no plane. Returns false if memory runs out, with *made

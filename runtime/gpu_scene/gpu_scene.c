@@ -298,7 +298,7 @@ static bool make_sky(Maker *m)
     return sky < 0 || gpu_scene->has_sky;
 }
 
-static bool make_room(Maker *m)
+static bool make_capacity(Maker *m)
 {
     GpuScene *gpu_scene = m->gpu_scene;
     const Scene *scene = m->source->scene;
@@ -381,7 +381,7 @@ bool gpu_scene_make(Store *store, const GpuSceneSource *source, GpuScene *before
     *made = (GpuScene){.instances = source->set->instances};
     transparency_text(maker.gl, source->set, source->transparency, &maker.transparency);
     seen_text_make(maker.gl, source->set, source->written, &maker.seen);
-    const bool done = make_room(&maker) && add_objects(&maker) && make_sky(&maker) &&
+    const bool done = make_capacity(&maker) && add_objects(&maker) && make_sky(&maker) &&
                       make_buffers(&maker) && gpu_scene_arrange(maker.gl, source, made);
     made->displaced_anew = false; /* all passes are built after this */
     forget(&maker);

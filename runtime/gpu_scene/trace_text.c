@@ -136,7 +136,7 @@ static void put_defaults(FILE *to, const MatcProgram *program)
 {
     for (int i = 0; i < matc_attribute_count(program); i++) {
         const MatcAttribute *attribute = matc_attribute(program, i);
-        char value[FIELD_DEFAULT_ROOM];
+        char value[FIELD_DEFAULT_CAPACITY];
         field_default(attribute, value);
         fprintf(to, "    %s = %s;\n", attribute->attribute, value);
     }

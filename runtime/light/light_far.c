@@ -1,5 +1,5 @@
 /* Inputs of the passes gather and light for light clustering: constants of the GLSL, error
- * budgets, the buffers of light_room.c. */
+ * budgets, the buffers of light_storage.c. */
 #include "runtime/light/light_far.h"
 #include "runtime/frame_graph/transparency_draw.h"
 #include "runtime/light/lighting.h"

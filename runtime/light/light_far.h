@@ -1,5 +1,5 @@
 /* Light clustering for many lights: which lights are far from a block of pixels and summed
- * together (light_bound.c), storage of the results (light_room.c), and inputs of the passes
+ * together (light_bound.c), storage of the results (light_storage.c), and inputs of the passes
  * gather and light (light_far.c). */
 #ifndef MATC_RENDER_LIGHT_FAR_H
 #define MATC_RENDER_LIGHT_FAR_H

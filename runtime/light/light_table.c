@@ -10,12 +10,12 @@
 enum { LEAST = 16 /* texels */ };
 
 /* Rounds up to a power of two, so that programs are shared by similar numbers of lights. */
-static int room_for(int texels)
+static int capacity_for(int texels)
 {
-    int room = LEAST;
-    while (room < texels)
-        room *= 2;
-    return room;
+    int capacity = LEAST;
+    while (capacity < texels)
+        capacity *= 2;
+    return capacity;
 }
 
 static bool write_texture(Renderer *renderer, int unit)
@@ -50,7 +50,7 @@ bool light_table_write(Renderer *renderer, int unit)
     LightTable *lights = &renderer->light->table;
     const bool others = renderer->light->counts[VIEW_SPACE_POINTS] > 0;
     if (!lights->texels)
-        lights->texels = calloc((size_t)room_for(renderer->scene->light_count * LIGHT_TEXELS),
+        lights->texels = calloc((size_t)capacity_for(renderer->scene->light_count * LIGHT_TEXELS),
                                 sizeof *lights->texels);
     if (!lights->texels)
         return gl_fail(renderer->gl, "out of memory");
@@ -64,7 +64,7 @@ bool light_table_write(Renderer *renderer, int unit)
         return gl_fail(
             renderer->gl,
             "lights cast shadows, or do not, where none did otherwise: this is another scene");
-    const int count = room_for(view_space_texels(renderer->light->counts, VIEW_SPACE_SECTIONS));
+    const int count = capacity_for(view_space_texels(renderer->light->counts, VIEW_SPACE_SECTIONS));
     if (lights->count && count > lights->count)
         return gl_fail(renderer->gl, "the lights take %d texels, not %d: this is another scene",
                        count, lights->count);

@@ -2,7 +2,7 @@
  * lights and the sets of near lights for each block of pixels (light_bound.c). Three dispatches:
  * pass_groups.glsl finds groups of pixels; pass_near.glsl selects each group's near lights;
  * pass_gather.glsl sums the others. The sum has a dispatch of its own since it needs many
- * registers. light_room.c has the buffers. */
+ * registers. light_storage.c has the buffers. */
 #include "gen/render_text.h"
 #include "runtime/light/light_far.h"
 #include "runtime/light/lighting.h"

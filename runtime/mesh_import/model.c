@@ -180,7 +180,7 @@ typedef struct {
     Shape shape;
     ModelRun *runs;
     char *error;
-    size_t room;
+    size_t capacity;
 } Import;
 
 /* Imports a file in a child process; *head describes the received data. */
@@ -188,7 +188,7 @@ static bool import_apart(const ModelSource *source, Head *head, Import *to)
 {
     int ends[2], status = 0;
     if (pipe(ends))
-        return message_fail(to->error, to->room, "%s", text_error(errno));
+        return message_fail(to->error, to->capacity, "%s", text_error(errno));
     const pid_t child = fork();
     if (!child) {
         close(ends[0]);
@@ -200,10 +200,10 @@ static bool import_apart(const ModelSource *source, Head *head, Import *to)
     while (child > 0 && waitpid(child, &status, 0) < 0 && errno == EINTR)
         continue;
     if (!whole)
-        return message_fail(to->error, to->room,
+        return message_fail(to->error, to->capacity,
                             "reading it took too much time or memory, or broke off: the file is "
                             "damaged, or too large");
-    return head->done || message_fail(to->error, to->room, "%s", head->error);
+    return head->done || message_fail(to->error, to->capacity, "%s", head->error);
 }
 
 /* Rotates from y up (z toward the viewer) to z up. */
@@ -219,27 +219,27 @@ static void turn(Shape *shape)
     }
 }
 
-static bool is_readable(const ModelSource *source, char *error, size_t room)
+static bool is_readable(const ModelSource *source, char *error, size_t capacity)
 {
     struct stat info;
     const char *path = source->path, *outside = root_refuses(source->root, path);
     if (outside)
-        return message_fail(error, room, "%s", outside);
+        return message_fail(error, capacity, "%s", outside);
     if (find_ending(path) < 0)
-        return message_fail(error, room, "a mesh is a file .obj, .gltf, .glb or .ply");
+        return message_fail(error, capacity, "a mesh is a file .obj, .gltf, .glb or .ply");
     if (stat(path, &info))
-        return message_fail(error, room, "%s", text_error(errno));
+        return message_fail(error, capacity, "%s", text_error(errno));
     if (!S_ISREG(info.st_mode))
-        return message_fail(error, room, "not a file");
+        return message_fail(error, capacity, "not a file");
     return info.st_size <= (off_t)MODEL_FILE_MIB << 20 ||
-           message_fail(error, room, "larger than %d MiB", MODEL_FILE_MIB);
+           message_fail(error, capacity, "larger than %d MiB", MODEL_FILE_MIB);
 }
 
 typedef const char *Complete(Shape *shape, bool has_normals, bool has_coordinates);
 
 static bool read_and_complete(const ModelSource *source, Complete *complete, Head *head, Import *to)
 {
-    if (!is_readable(source, to->error, to->room))
+    if (!is_readable(source, to->error, to->capacity))
         return false;
     bool done = import_apart(source, head, to);
     if (done && endings[find_ending(source->path)].y_up)
@@ -247,7 +247,7 @@ static bool read_and_complete(const ModelSource *source, Complete *complete, Hea
     const char *fault =
         done ? complete(&to->shape, head->has_normals, head->has_coordinates) : NULL;
     if (fault)
-        done = message_fail(to->error, to->room, "%s", fault);
+        done = message_fail(to->error, to->capacity, "%s", fault);
     if (!done)
         shape_free(&to->shape);
     return done;
@@ -262,16 +262,16 @@ static bool read_whole(const ModelSource *source, Complete *complete, Shape *mad
     return done;
 }
 
-bool model_read(const char *path, Shape *made, char *error, size_t room)
+bool model_read(const char *path, Shape *made, char *error, size_t capacity)
 {
     return read_whole(&(ModelSource){.path = path}, model_complete, made,
-                      &(Import){.error = error, .room = room});
+                      &(Import){.error = error, .capacity = capacity});
 }
 
-bool model_read_in_place(const char *path, Shape *made, char *error, size_t room)
+bool model_read_in_place(const char *path, Shape *made, char *error, size_t capacity)
 {
     return read_whole(&(ModelSource){.path = path}, model_complete_in_place, made,
-                      &(Import){.error = error, .room = room});
+                      &(Import){.error = error, .capacity = capacity});
 }
 
 static bool make_whole(const ModelSource *source, ModelPart **made, int *count, Import *to)
@@ -286,23 +286,23 @@ static bool make_whole(const ModelSource *source, ModelPart **made, int *count, 
 }
 
 bool model_read_source(const ModelSource *source, ModelPart **made, int *count, char *error,
-                       size_t room)
+                       size_t capacity)
 {
     Head head = {0};
-    Import import = {.error = error, .room = room};
+    Import import = {.error = error, .capacity = capacity};
     *count = 0;
     *made = NULL;
     if (source->whole)
         return make_whole(source, made, count, &import);
     bool done = read_and_complete(source, model_complete_in_place, &head, &import);
     if (done && !model_divide(&import.shape, import.runs, head.run_count, made, count))
-        done = message_fail(error, room, "out of memory");
+        done = message_fail(error, capacity, "out of memory");
     shape_free(&import.shape);
     free(import.runs);
     return done;
 }
 
-bool model_read_parts(const char *path, ModelPart **made, int *count, char *error, size_t room)
+bool model_read_parts(const char *path, ModelPart **made, int *count, char *error, size_t capacity)
 {
-    return model_read_source(&(ModelSource){.path = path}, made, count, error, room);
+    return model_read_source(&(ModelSource){.path = path}, made, count, error, capacity);
 }

@@ -27,10 +27,10 @@ typedef struct {
  * become longitude and latitude. Tangents are dP/du and dP/dv of the triangles, as on every
  * shape. A vertex between mirrored and unmirrored texture coordinates is split in two. Returns
  * false with the reason in *error; *made is then empty. */
-bool model_read(const char *path, Shape *made, char *error, size_t room);
+bool model_read(const char *path, Shape *made, char *error, size_t capacity);
 
 /* Reads a mesh for a scene, at its original position and size. */
-bool model_read_in_place(const char *path, Shape *made, char *error, size_t room);
+bool model_read_in_place(const char *path, Shape *made, char *error, size_t capacity);
 
 /* Reads a mesh as one shape per used material, in the order of the file's materials. *made is an
  * array of *count parts, from malloc. */
@@ -38,7 +38,7 @@ typedef struct {
     int material;
     Shape shape;
 } ModelPart;
-bool model_read_parts(const char *path, ModelPart **made, int *count, char *error, size_t room);
+bool model_read_parts(const char *path, ModelPart **made, int *count, char *error, size_t capacity);
 
 /* A mesh file named by an untrusted document. */
 typedef struct {
@@ -50,7 +50,7 @@ typedef struct {
 } ModelSource;
 /* Reads a mesh at its original position and size, in parts as model_read_parts(). */
 bool model_read_source(const ModelSource *source, ModelPart **made, int *count, char *error,
-                       size_t room);
+                       size_t capacity);
 
 /* Adds the additional files of a mesh to the list: a .gltf's buffers, existing or missing. */
 void model_files(const char *path, WatchList *files);

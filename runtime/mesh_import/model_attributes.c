@@ -29,7 +29,7 @@ typedef struct {
     ModelAttributes *made;
     size_t vertices; /* total of all primitives with such attributes */
     char *error;
-    size_t room;
+    size_t capacity;
     char where[PLACE]; /* "meshes/0/primitives/1" */
 } Reader;
 
@@ -46,7 +46,7 @@ typedef struct {
 
 static bool fail(const Reader *r, const char *name, const char *why)
 {
-    return message_fail(r->error, r->room, "%s/attributes/%.*s: %s", r->where, SHAPE_NAME, name,
+    return message_fail(r->error, r->capacity, "%s/attributes/%.*s: %s", r->where, SHAPE_NAME, name,
                         why);
 }
 
@@ -274,7 +274,7 @@ static bool read_primitive(Reader *r, const Tree *attributes)
              !read_one(r, member, &primitive)))
             return false;
     }
-    ARENA_PUSH(r->place.session->arena, r->made->primitives, r->made->count, r->made->room,
+    ARENA_PUSH(r->place.session->arena, r->made->primitives, r->made->count, r->made->capacity,
                primitive);
     return true;
 }
@@ -328,7 +328,7 @@ static bool may_have(const ModelSource *source)
 }
 
 bool model_attributes_read(Arena *arena, const ModelSource *source, ModelAttributes *made,
-                           char *error, size_t room)
+                           char *error, size_t capacity)
 {
     GltfFiles files = {0};
     MatcOptions options;
@@ -340,10 +340,11 @@ bool model_attributes_read(Arena *arena, const ModelSource *source, ModelAttribu
     options.read_file = read_file;
     options.user = (void *)source->root;
     Session session = session_open(&options, arena);
-    Reader r = {.place = {&session, &files, path}, .made = made, .error = error, .room = room};
+    Reader r = {
+        .place = {&session, &files, path}, .made = made, .error = error, .capacity = capacity};
     r.root = gltf_file_root(&r.place, &why);
     if (!r.root)
-        return message_fail(error, room, "%s",
+        return message_fail(error, capacity, "%s",
                             session.diags.count ? session.diags.at[0].message : why);
     return read_meshes(&r);
 }

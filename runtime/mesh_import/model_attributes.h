@@ -20,7 +20,7 @@ typedef struct {
 typedef struct {
     ShapeNames names;
     ModelPrimitive *primitives; /* of all meshes, in file order */
-    size_t count, room;
+    size_t count, capacity;
 } ModelAttributes;
 
 /* Reads the attributes of a .gltf or .glb file; other files have none. Components missing from
@@ -28,5 +28,5 @@ typedef struct {
  * section 3.6.2.2 (a byte of 255 is 1). All data is allocated in the arena. Returns false with
  * the reason in `error`. */
 bool model_attributes_read(Arena *arena, const ModelSource *source, ModelAttributes *made,
-                           char *error, size_t room);
+                           char *error, size_t capacity);
 #endif

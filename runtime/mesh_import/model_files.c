@@ -13,14 +13,14 @@
 enum { LONGEST_PATH = 4096 };
 
 /* Resolves a URI relative to the file `path`. Returns false if the URI names no file. */
-static bool file_beside(const char *path, const char *uri, char *to, size_t room)
+static bool file_beside(const char *path, const char *uri, char *to, size_t capacity)
 {
     const char *slash = strrchr(path, '/');
     if (!*uri || strchr(uri, ':'))
         return false;
     const int folder = slash && uri[0] != '/' ? (int)(slash - path) + 1 : 0;
-    const int size = snprintf(to, room, "%.*s%s", folder, path, uri);
-    return size > 0 && (size_t)size < room;
+    const int size = snprintf(to, capacity, "%.*s%s", folder, path, uri);
+    return size > 0 && (size_t)size < capacity;
 }
 
 void model_files(const char *path, WatchList *files)

@@ -9,12 +9,12 @@
 #include <string.h>
 
 #ifndef MATC_ASSIMP
-bool model_import(const ModelSource *source, ModelParts *parts, char *error, size_t room)
+bool model_import(const ModelSource *source, ModelParts *parts, char *error, size_t capacity)
 {
     (void)source;
     *parts = (ModelParts){0};
     return message_fail(
-        error, room,
+        error, capacity,
         "this matview was built without assimp (Debian: libassimp-dev), which reads meshes");
 }
 #else
@@ -193,20 +193,20 @@ static bool add_mesh(const struct aiMesh *mesh, int material, const ModelAttribu
     return joined;
 }
 
-static bool fail_many(size_t vertices, size_t indices, char *error, size_t room)
+static bool fail_many(size_t vertices, size_t indices, char *error, size_t capacity)
 {
-    return message_fail(error, room,
+    return message_fail(error, capacity,
                         "it has %zu vertices and %zu triangles; at most %d and %d are drawn",
                         vertices, indices / 3, MODEL_VERTICES, MODEL_INDICES / 3);
 }
 
 static bool take(const struct aiScene *scene, const ModelAttributes *attributes, ModelParts *parts,
-                 char *error, size_t room)
+                 char *error, size_t capacity)
 {
     size_t vertices, indices;
     count(scene, &vertices, &indices);
     if (indices > MODEL_INDICES)
-        return fail_many(vertices, indices, error, room);
+        return fail_many(vertices, indices, error, capacity);
     const size_t most = vertices < MODEL_VERTICES ? vertices : MODEL_VERTICES;
     *parts = (ModelParts){.has_normals = true, .has_coordinates = true};
     parts->shape.vertices = calloc(most + 1, sizeof *parts->shape.vertices);
@@ -214,13 +214,13 @@ static bool take(const struct aiScene *scene, const ModelAttributes *attributes,
     parts->runs = calloc((size_t)scene->mNumMeshes + 1, sizeof *parts->runs);
     if (!parts->shape.vertices || !parts->shape.indices || !parts->runs ||
         !make_extras(scene, attributes, most, parts))
-        return message_fail(error, room, "out of memory");
+        return message_fail(error, capacity, "out of memory");
     bool fits = true;
     for (unsigned m = 0; fits && m < scene->mNumMeshes; m++)
         if (has_triangles(scene->mMeshes[m]))
             fits = add_mesh(scene->mMeshes[m], material_of(scene, scene->mMeshes[m]), attributes,
                             parts);
-    return fits || fail_many(vertices, indices, error, room);
+    return fits || fail_many(vertices, indices, error, capacity);
 }
 
 /* Returns assimp's error message; std::bad_alloc is replaced by a message for authors. */
@@ -232,18 +232,18 @@ static const char *reported(void)
                : "reading it takes too much memory: it is damaged, or too large";
 }
 
-bool model_import(const ModelSource *source, ModelParts *parts, char *error, size_t room)
+bool model_import(const ModelSource *source, ModelParts *parts, char *error, size_t capacity)
 {
     Arena arena = {0};
     ModelAttributes attributes;
     *parts = (ModelParts){0};
-    bool done = model_attributes_read(&arena, source, &attributes, error, room);
+    bool done = model_attributes_read(&arena, source, &attributes, error, capacity);
     struct aiFileIO files = model_open_files(source->root);
     const struct aiScene *scene = done ? aiImportFileEx(source->path, steps, &files) : NULL;
     if (done && !scene)
-        done = message_fail(error, room, "%s", reported());
+        done = message_fail(error, capacity, "%s", reported());
     if (scene) {
-        done = take(scene, &attributes, parts, error, room);
+        done = take(scene, &attributes, parts, error, capacity);
         aiReleaseImport(scene);
     }
     arena_free(&arena);

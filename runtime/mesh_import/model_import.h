@@ -13,5 +13,5 @@ typedef struct {
 } ModelParts;
 
 /* Reads a file. Returns false with the reason in *error. */
-bool model_import(const ModelSource *source, ModelParts *parts, char *error, size_t room);
+bool model_import(const ModelSource *source, ModelParts *parts, char *error, size_t capacity);
 #endif

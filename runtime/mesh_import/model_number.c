@@ -35,7 +35,7 @@ typedef struct {
     cJSON *list; /* array of accessors; new ones are appended */
     int view, added;
     float (*numbers)[3];
-    size_t count, room;
+    size_t count, capacity;
 } Numbers;
 
 static bool has_own(const cJSON *attributes)
@@ -48,9 +48,9 @@ static bool has_own(const cJSON *attributes)
 
 static void put_numbers(Numbers *n, size_t vertices, int primitive)
 {
-    if (n->count + vertices > n->room) {
-        n->room = 2 * n->room + vertices;
-        n->numbers = realloc(n->numbers, n->room * sizeof *n->numbers);
+    if (n->count + vertices > n->capacity) {
+        n->capacity = 2 * n->capacity + vertices;
+        n->numbers = realloc(n->numbers, n->capacity * sizeof *n->numbers);
         if (!n->numbers)
             memory_exhausted();
     }

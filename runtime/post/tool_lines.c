@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { ROOM = 64 };
+enum { CAPACITY = 64 };
 
 /* gray: sRGB 0.5; yellow: lights */
 static const float grey[3] = {.2140f, .2140f, .2140f}, yellow[3] = {1, .6f, .05f};
@@ -20,15 +20,15 @@ static void put(Maker *m, const double p[3], bool ground, const float color[3])
 {
     const double *e = m->space->eye_from_world;
     ToolLines *lines = m->lines;
-    if (lines->count == lines->room) {
-        const int room = lines->room ? 2 * lines->room : ROOM;
-        ToolVertex *grown = realloc(lines->vertices, (size_t)room * sizeof *grown);
+    if (lines->count == lines->capacity) {
+        const int capacity = lines->capacity ? 2 * lines->capacity : CAPACITY;
+        ToolVertex *grown = realloc(lines->vertices, (size_t)capacity * sizeof *grown);
         if (!grown) {
             m->full = true;
             return;
         }
         lines->vertices = grown;
-        lines->room = room;
+        lines->capacity = capacity;
     }
     ToolVertex *vertex = &lines->vertices[lines->count++];
     for (int i = 0; i < 3; i++) {

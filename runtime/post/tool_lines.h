@@ -13,7 +13,7 @@ typedef struct {
 /* Two vertices per line. At intersections, earlier lines are in front. */
 typedef struct {
     ToolVertex *vertices; /* from malloc */
-    int count, room;
+    int count, capacity;
 } ToolLines;
 
 /* Builds the lines of a scene's tools. Returns false if memory runs out; *made is then empty. */

@@ -9,7 +9,7 @@ struct MatcScene {
     /* the caller's; owns the scene's memory, so it is freed after the scene */
     MatcDocument *document;
     /* capacities of arrays with additions; 0: nothing was added */
-    size_t object_room, mesh_room, material_room;
+    size_t object_capacity, mesh_capacity, material_capacity;
     char error[256];
 };
 #endif

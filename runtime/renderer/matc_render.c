@@ -35,27 +35,27 @@ static bool is_size(int width, int height)
 
 /* -- renderers */
 
-static bool check_options(const MatcRendererOptions *options, char *error, size_t room)
+static bool check_options(const MatcRendererOptions *options, char *error, size_t capacity)
 {
     const char *fault = matc_options_fault(options->compile);
     if (!options->load)
-        return message_fail(error, room, "no function that loads is given");
+        return message_fail(error, capacity, "no function that loads is given");
     if (!is_size(options->width, options->height))
-        return message_fail(error, room, "a picture has 1 to %d pixels each way, not %d x %d",
+        return message_fail(error, capacity, "a picture has 1 to %d pixels each way, not %d x %d",
                             MAX_SIDE, options->width, options->height);
     return !fault ||
-           message_fail(error, room,
+           message_fail(error, capacity,
                         "MatcRendererOptions.compile: the option '%s' has no such value", fault);
 }
 
 static bool open_renderer(MatcRenderer *r, const MatcRendererOptions *options, char *error,
-                          size_t room)
+                          size_t capacity)
 {
     const GlHost host = {options->load, options->user};
     MatcOptions defaults;
     matc_options_init(&defaults);
     defaults.pixels = true;
-    r->gl = gl_adopt(&host, error, room);
+    r->gl = gl_adopt(&host, error, capacity);
     if (!r->gl)
         return false;
     r->renderer = renderer_open(
@@ -65,22 +65,22 @@ static bool open_renderer(MatcRenderer *r, const MatcRendererOptions *options, c
                                   .height = options->height,
                                   /* a single tile, so that a texture holds the whole picture */
                                   .memory = SIZE_MAX});
-    return r->renderer || message_fail(error, room, "%s", r->gl->error);
+    return r->renderer || message_fail(error, capacity, "%s", r->gl->error);
 }
 
-MatcRenderer *matc_renderer_open(const MatcRendererOptions *options, char *error, size_t room)
+MatcRenderer *matc_renderer_open(const MatcRendererOptions *options, char *error, size_t capacity)
 {
     MatcRendererOptions whole = {0};
     if (!options)
-        return message_fail(error, room, "the options are NULL"), NULL;
+        return message_fail(error, capacity, "the options are NULL"), NULL;
     MatcRenderer *r = calloc(1, sizeof *r);
     if (!r)
         memory_exhausted();
     memcpy(&whole, options, options->size < sizeof whole ? options->size : sizeof whole);
     if (!options->size)
-        message_fail(error, room,
+        message_fail(error, capacity,
                      "MatcRendererOptions.size is 0: it is to be sizeof(MatcRendererOptions)");
-    else if (check_options(&whole, error, room) && open_renderer(r, &whole, error, room))
+    else if (check_options(&whole, error, capacity) && open_renderer(r, &whole, error, capacity))
         return r;
     matc_renderer_close(r);
     return NULL;

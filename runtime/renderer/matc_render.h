@@ -110,7 +110,7 @@ typedef struct {
 /* Opens a renderer. Returns NULL on failure, with the reason in `error`, which holds `room`
  * bytes. */
 MATC_API MatcRenderer *matc_renderer_open(const MatcRendererOptions *options, char *error,
-                                          size_t room);
+                                          size_t capacity);
 /* Closes a renderer and frees all its GL objects. Does nothing for NULL. */
 MATC_API void matc_renderer_close(MatcRenderer *renderer);
 /* Returns the reason why the last call returned false. */

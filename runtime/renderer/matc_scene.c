@@ -95,13 +95,14 @@ int matc_scene_find_light(const MatcScene *s, const char *name)
 
 /* Returns an array of the scene with capacity for one more element. The first growth copies it
  * out of the reader's memory. */
-static void *with_room(const MatcScene *s, void *array, int count, size_t *room, size_t size)
+static void *with_capacity(const MatcScene *s, void *array, int count, size_t *capacity,
+                           size_t size)
 {
     enum { LEAST = 8 };
-    if ((size_t)count < *room)
+    if ((size_t)count < *capacity)
         return array;
-    *room = 2 * (size_t)count + LEAST;
-    void *moved = arena_zero(s->document->session.arena, *room * size);
+    *capacity = 2 * (size_t)count + LEAST;
+    void *moved = arena_zero(s->document->session.arena, *capacity * size);
     if (count)
         memcpy(moved, array, (size_t)count * size);
     return moved;
@@ -128,8 +129,8 @@ int matc_scene_find_material(MatcScene *s, const char *name)
         return message_fail(s->error, sizeof s->error,
                             "a scene with displaced objects takes no further materials"),
                -1;
-    scene->materials = with_room(s, scene->materials, scene->material_count, &s->material_room,
-                                 sizeof *scene->materials);
+    scene->materials = with_capacity(s, scene->materials, scene->material_count,
+                                     &s->material_capacity, sizeof *scene->materials);
     scene->materials[scene->material_count] = (SceneMaterial){s->document, index};
     return scene->material_count++;
 }
@@ -212,8 +213,8 @@ int matc_scene_add_mesh(MatcScene *s, const MatcMesh *given)
     if (!check_counts(s, &mesh) || !check_attributes(s, &mesh) ||
         !make_shape(s, &mesh, &made.shape))
         return -1;
-    scene->meshes =
-        with_room(s, scene->meshes, scene->mesh_count, &s->mesh_room, sizeof *scene->meshes);
+    scene->meshes = with_capacity(s, scene->meshes, scene->mesh_count, &s->mesh_capacity,
+                                  sizeof *scene->meshes);
     scene->meshes[scene->mesh_count] = made;
     return scene->mesh_count++;
 }
@@ -263,8 +264,8 @@ static int find_place(MatcScene *s)
             return i;
     if (scene->object_count >= SCENE_OBJECTS)
         return -1;
-    scene->objects =
-        with_room(s, scene->objects, scene->object_count, &s->object_room, sizeof *scene->objects);
+    scene->objects = with_capacity(s, scene->objects, scene->object_count, &s->object_capacity,
+                                   sizeof *scene->objects);
     return scene->object_count++;
 }
 

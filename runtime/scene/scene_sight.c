@@ -85,8 +85,10 @@ static double ground_reach(const double ground[4], const SceneLight *light,
     }
     /* Min descent of a ray between the lamp and the triangle. The ray reaches the ground after
      * |from| / room times that length. */
-    const double room = fabs(from) - most;
-    return least >= fabs(from) ? 1 : room > along * fabs(from) ? fabs(from) / room : INFINITY;
+    const double capacity = fabs(from) - most;
+    return least >= fabs(from)             ? 1
+           : capacity > along * fabs(from) ? fabs(from) / capacity
+                                           : INFINITY;
 }
 
 static double far_from(const double at[3], const double low[3], const double high[3])

@@ -84,7 +84,7 @@ static void read_light(SceneReader *r, const SceneThing *thing)
     if (row->read && !row->read(&params, &light, &fault))
         fail(r, thing, &fault);
     size_t count = (size_t)scene->light_count;
-    ARENA_PUSH(r->session->arena, scene->lights, count, r->light_room, light);
+    ARENA_PUSH(r->session->arena, scene->lights, count, r->light_storage, light);
     scene->light_count = (int)count;
 }
 

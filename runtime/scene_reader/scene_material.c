@@ -33,10 +33,10 @@ static int use(SceneReader *r, MatcDocument *document, int index)
     size_t count = r->aside ? r->aside_count : (size_t)scene->material_count;
     hash_index_add(r->session->arena, places, hash, (uint32_t)count);
     if (r->aside) {
-        ARENA_PUSH(r->session->arena, r->asides, r->aside_count, r->aside_room, material);
+        ARENA_PUSH(r->session->arena, r->asides, r->aside_count, r->aside_capacity, material);
         return (int)count;
     }
-    ARENA_PUSH(r->session->arena, scene->materials, count, r->used_room, material);
+    ARENA_PUSH(r->session->arena, scene->materials, count, r->used_capacity, material);
     scene->material_count = (int)count;
     return scene->material_count - 1;
 }
@@ -70,7 +70,7 @@ static int read_inline(SceneReader *r, Tree *tree)
     hash_index_add(arena, &r->inlines, hash_pointer(tree), (uint32_t)r->material_count);
     const Member member = {arena_string(arena, name, strlen(name)), tree, tree->span,
                            (uint32_t)strlen(name)};
-    ARENA_PUSH(arena, r->materials, r->material_count, r->material_room, member);
+    ARENA_PUSH(arena, r->materials, r->material_count, r->material_capacity, member);
     return use(r, r->document, (int)r->material_count - 1);
 }
 
@@ -94,7 +94,7 @@ static int read_document_file(SceneReader *r, const char *path, const char **why
     free(text);
     for (int i = 1; i < matc_depend_count(document); i++)
         session_depend_on(r->session, matc_depend(document, i));
-    ARENA_PUSH(r->session->arena, scene->documents, count, r->document_room, document);
+    ARENA_PUSH(r->session->arena, scene->documents, count, r->document_capacity, document);
     scene->document_count = (int)count;
     return (int)count - 1;
 }
@@ -200,7 +200,7 @@ void scene_material_open(SceneReader *r, const Tree *document)
     if (!materials || materials->value->kind != TREE_object)
         return;
     for (uint32_t i = 0; i < materials->value->count; i++)
-        ARENA_PUSH(r->session->arena, r->materials, r->material_count, r->material_room,
+        ARENA_PUSH(r->session->arena, r->materials, r->material_count, r->material_capacity,
                    materials->value->members[i]);
     r->named_count = r->inline_number = r->material_count;
     r->named = materials->value;

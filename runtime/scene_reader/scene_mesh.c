@@ -22,15 +22,15 @@ static const char *path_of(SceneReader *r, const Tree *tree)
 static void add(SceneReader *r, SceneMesh mesh)
 {
     size_t count = (size_t)r->scene->mesh_count;
-    ARENA_PUSH(r->session->arena, r->scene->meshes, count, r->mesh_room, mesh);
+    ARENA_PUSH(r->session->arena, r->scene->meshes, count, r->mesh_capacity, mesh);
     r->scene->mesh_count = (int)count;
 }
 
-static bool read_file(SceneReader *r, const ModelSource *source, char *error, size_t room)
+static bool read_file(SceneReader *r, const ModelSource *source, char *error, size_t capacity)
 {
     ModelPart *parts;
     int count;
-    if (!model_read_source(source, &parts, &count, error, room))
+    if (!model_read_source(source, &parts, &count, error, capacity))
         return false;
     for (int i = 0; i < count; i++)
         add(r,
@@ -53,7 +53,7 @@ static SceneMeshFile file_of(SceneReader *r, const char *path, bool parts)
     if (!read_file(r, &source, error, sizeof error))
         file.why = arena_string(r->session->arena, error, strlen(error));
     file.count = r->scene->mesh_count - file.first;
-    ARENA_PUSH(r->session->arena, files->at, files->count, files->room, file);
+    ARENA_PUSH(r->session->arena, files->at, files->count, files->capacity, file);
     return file;
 }
 

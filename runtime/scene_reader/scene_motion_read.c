@@ -24,7 +24,7 @@ static bool read_turntable(SceneReader *r, const SceneThing *thing, SceneMotion 
     return r->fine = false;
 }
 
-static bool read_key(SceneReader *r, Tree *tree, SceneMotion *motion, size_t *room)
+static bool read_key(SceneReader *r, Tree *tree, SceneMotion *motion, size_t *capacity)
 {
     SceneThing thing;
     SceneKey key;
@@ -36,7 +36,7 @@ static bool read_key(SceneReader *r, Tree *tree, SceneMotion *motion, size_t *ro
     if (motion->key_count && key.time <= motion->keys[motion->key_count - 1].time)
         return fault(r, scene_thing_span(&thing, S_Key_time), "the times of keys rise");
     size_t count = (size_t)motion->key_count;
-    ARENA_PUSH(r->session->arena, motion->keys, count, *room, key);
+    ARENA_PUSH(r->session->arena, motion->keys, count, *capacity, key);
     motion->key_count = (int)count;
     return true;
 }
@@ -44,10 +44,10 @@ static bool read_key(SceneReader *r, Tree *tree, SceneMotion *motion, size_t *ro
 static bool read_path(SceneReader *r, const SceneThing *thing, SceneMotion *motion)
 {
     const Tree *keys = scene_thing_given(thing, S_Path_keys);
-    size_t room = 0;
+    size_t capacity = 0;
     motion->frames = (int)scene_thing_number(thing, S_Path_frames);
     for (uint32_t i = 0; keys && i < keys->count; i++)
-        if (!read_key(r, keys->items[i], motion, &room))
+        if (!read_key(r, keys->items[i], motion, &capacity))
             return false;
     return motion->key_count >= MIN_KEYS ||
            fault(r, scene_thing_span(thing, S_Path_keys), "a path has two keys or more");

@@ -148,7 +148,8 @@ static bool add_plane(SceneReader *r, const SceneThing *thing)
 {
     if (r->plane_count > SCENE_PLANES)
         return false;
-    ARENA_PUSH(r->session->arena, r->planes, r->plane_count, r->plane_room, r->scene->object_count);
+    ARENA_PUSH(r->session->arena, r->planes, r->plane_count, r->plane_capacity,
+               r->scene->object_count);
     if (r->plane_count <= SCENE_PLANES)
         return true;
     diag_add(r->session, thing->tree->span, DIAG_too_many_planes, SCENE_PLANES);
@@ -176,8 +177,9 @@ static bool push_object(SceneReader *r, const SceneThing *thing, SceneObject obj
         return false;
     size_t count = (size_t)scene->object_count;
     r->origin_count = count; /* objects outside the scene have been removed again */
-    ARENA_PUSH(r->session->arena, r->origins, r->origin_count, r->origin_room, thing->tree->span);
-    ARENA_PUSH(r->session->arena, scene->objects, count, r->object_room, object);
+    ARENA_PUSH(r->session->arena, r->origins, r->origin_count, r->origin_capacity,
+               thing->tree->span);
+    ARENA_PUSH(r->session->arena, scene->objects, count, r->object_capacity, object);
     scene->object_count = (int)count;
     return true;
 }
@@ -242,7 +244,7 @@ static void add_root(SceneReader *r, const SceneThing *thing, const SceneMatrix 
     size_t count = (size_t)scene->root_count;
     SceneRoot root = {.number = scene->root_count, .plane = thing->kind == SCENE_Plane};
     memcpy(root.at, matrix->m + 12, sizeof root.at);
-    ARENA_PUSH(r->session->arena, scene->roots, count, r->root_room, root);
+    ARENA_PUSH(r->session->arena, scene->roots, count, r->root_capacity, root);
     scene->root_count = (int)count;
 }
 

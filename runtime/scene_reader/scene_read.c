@@ -259,7 +259,8 @@ MatcDocument *scene_read(const char *name, const char *text, size_t size,
     if (!r.scene)
         memory_exhausted();
     r.scene->time = document->options.time;
-    ARENA_PUSH(r.session->arena, r.asides, r.aside_count, r.aside_room, ((SceneMaterial){NULL, 0}));
+    ARENA_PUSH(r.session->arena, r.asides, r.aside_count, r.aside_capacity,
+               ((SceneMaterial){NULL, 0}));
     read_scene(&r, tree);
     r.fine = r.fine && !document->session.diags.errors && scene_stand(&r, options);
     if (r.fine)

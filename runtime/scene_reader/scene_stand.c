@@ -26,14 +26,15 @@ void scene_stand_open(SceneReader *r, const SceneMatrix *world_from_group, int o
     stand.objects = ARENA_ARRAY(r->session->arena, SceneObject, stand.object_count + 1);
     memcpy(stand.objects, r->scene->objects + objects,
            (size_t)stand.object_count * sizeof *stand.objects);
-    ARENA_PUSH(r->session->arena, r->stands, r->stand_count, r->stand_room, stand);
+    ARENA_PUSH(r->session->arena, r->stands, r->stand_count, r->stand_capacity, stand);
 }
 
 void scene_stand_add(SceneReader *r, size_t number, const SceneStood *copy)
 {
     SceneStand *stand = &r->stands[number];
     if (copy->end > copy->first)
-        ARENA_PUSH(r->session->arena, stand->copies, stand->copy_count, stand->copy_room, *copy);
+        ARENA_PUSH(r->session->arena, stand->copies, stand->copy_count, stand->copy_capacity,
+                   *copy);
 }
 
 /* State of moving the copies of one surface. */

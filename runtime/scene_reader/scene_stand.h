@@ -18,7 +18,7 @@ typedef struct SceneStand {
     int first; /* the scene's first object among the copies */
     bool aligned;
     SceneStood *copies;
-    size_t copy_count, copy_room;
+    size_t copy_count, copy_capacity;
 } SceneStand;
 
 /* Adds a surface: the scene's objects from `objects` on, which the caller then removes from the

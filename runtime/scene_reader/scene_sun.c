@@ -16,7 +16,7 @@ static void add_sun(SceneReader *r, const GraphSky *sky)
         sent[i] = scene->sky_light[i] * sky->irradiance[i] / PI;
     SceneLight light = light_directional_new(direction, sent);
     light.shadows = SCENE_SHADOWS_PLAIN;
-    ARENA_PUSH(r->session->arena, scene->lights, count, r->light_room, light);
+    ARENA_PUSH(r->session->arena, scene->lights, count, r->light_storage, light);
     scene->light_count = (int)count;
 }
 

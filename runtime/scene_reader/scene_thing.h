@@ -17,7 +17,7 @@ typedef struct {
 typedef struct {
     Names paths;
     SceneMeshFile *at; /* parallel to `paths` */
-    size_t count, room;
+    size_t count, capacity;
 } SceneMeshFiles;
 
 /* State of reading a scene. */
@@ -28,29 +28,30 @@ typedef struct {
     Scene *scene;
     const Tree *named; /* `materials:` of the document, or NULL */
     Member *materials; /* members of `materials:`, then inline materials */
-    size_t named_count, material_count, material_room;
+    size_t named_count, material_count, material_capacity;
     size_t inline_number;    /* number in the next inline material's name */
     HashIndex inlines, used; /* trees of inline materials; indices in scene->materials */
-    size_t object_room, root_room, light_room, used_room, mesh_room, document_room;
+    size_t object_capacity, root_capacity, light_storage, used_capacity, mesh_capacity,
+        document_capacity;
     SceneMeshFiles mesh_files[2]; /* files read as a single mesh; files split by material */
     Names document_paths;         /* paths of scene->documents */
     Span *origins;                /* by object of the scene: its place in the document */
-    size_t origin_count, origin_room;
+    size_t origin_count, origin_capacity;
     int *planes; /* indices of objects that are planes */
-    size_t plane_count, plane_room;
+    size_t plane_count, plane_capacity;
     const Tree *definitions; /* the document's `defs:`; NULL if missing */
     bool *instanced;         /* by index of a definition */
     /* The current objects do not enter the scene: their materials and planes do not count. */
     bool aside;
     SceneMaterial *asides; /* materials of the objects outside the scene; element 0 is unused */
-    size_t aside_count, aside_room;
+    size_t aside_count, aside_capacity;
     HashIndex aside_used;      /* indices in asides */
     struct SceneStand *stands; /* surfaces with copies, in the order of their objects */
-    size_t stand_count, stand_room;
+    size_t stand_count, stand_capacity;
     int things;       /* objects and groups so far */
     HashIndex solids; /* index of solid_keys: objects with equal keys share a mesh */
     Key *solid_keys;
-    size_t solid_count, solid_room;
+    size_t solid_count, solid_capacity;
     int64_t triangles;         /* sum over all different meshes, solids included */
     int64_t surface_triangles; /* sum over all surfaces with copies */
     bool fine;                 /* no error so far */

@@ -29,7 +29,7 @@ bool scene_triangles_add(SceneReader *r, const SceneThing *thing, const SceneObj
         return false;
     if (is_known(r, key))
         return true;
-    ARENA_PUSH(r->session->arena, r->solid_keys, r->solid_count, r->solid_room, key);
+    ARENA_PUSH(r->session->arena, r->solid_keys, r->solid_count, r->solid_capacity, key);
     hash_index_add(r->session->arena, &r->solids, (uint32_t)key.low, (uint32_t)r->solid_count - 1);
     r->triangles += triangles_of(r->scene, object);
     if (r->triangles <= SCENE_TRIANGLES)

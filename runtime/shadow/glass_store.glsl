@@ -21,7 +21,7 @@ void main()
     uvec3 through = uvec3(clamp(fragment0.xyz, 0.0, 1.0) * 2097151.0 + 0.5);
     if (through == uvec3(2097151u)) return;
     uint number = atomicAdd(glass_count, 1u);
-    if (number >= glass_room) return;
+    if (number >= glass_capacity) return;
     uvec2 place = uvec2(gl_FragCoord.x, uint(glass_map) * glass_size + uint(gl_FragCoord.y)) - glass_part.xy;
     uint head = place.y * glass_part.z + place.x, at = glass_heads + number * 4u;
     glass_words[at] = atomicExchange(glass_words[head], number + 1u);

@@ -261,7 +261,7 @@ static bool count(Renderer *renderer, ShadowPart *part)
 
 /* -- in one piece */
 
-static bool fail_room(Renderer *renderer, const ShadowPart *part)
+static bool fail_capacity(Renderer *renderer, const ShadowPart *part)
 {
     return gl_fail(renderer->gl,
                    "shadows of what is transparent take %lu bytes for %lu fragments, and there may "
@@ -277,7 +277,7 @@ static bool make_whole(Renderer *renderer, const ShadowPart *whole)
     ShadowGlass *glass = &renderer->shadows->glass;
     glass->full = shadow_glass_bytes(whole) > transparency_most_bytes(renderer);
     if (glass->full)
-        return fail_room(renderer, whole);
+        return fail_capacity(renderer, whole);
     *glass->parts = *whole;
     return shadow_glass_make(renderer, shadow_glass_bytes(whole));
 }
@@ -322,7 +322,7 @@ static bool fit(Renderer *renderer, ShadowPart *part)
         if (bytes <= most)
             return true;
         if (part->rows == 1 && part->columns == 1)
-            return fail_room(renderer, part);
+            return fail_capacity(renderer, part);
         GLuint *length = part->rows > 1 ? &part->rows : &part->columns;
         *length = shorter(*length, (double)most / (double)bytes);
     }

@@ -304,12 +304,12 @@ static void fit_light(Fit *fit, int number)
 }
 
 /* Returns the max number of views. */
-static size_t room_for(const Scene *scene)
+static size_t capacity_for(const Scene *scene)
 {
-    size_t room = 1;
+    size_t capacity = 1;
     for (int i = 0; i < scene->light_count; i++)
-        room += (size_t)soft_views_count(scene, &scene->lights[i]) + SHADOW_VIEWS_CUBE;
-    return room;
+        capacity += (size_t)soft_views_count(scene, &scene->lights[i]) + SHADOW_VIEWS_CUBE;
+    return capacity;
 }
 
 int shadow_views_varying(const GpuScene *gpu_scene)
@@ -330,7 +330,7 @@ bool shadow_views_make(const ShadowMethod *const *methods, const Scene *scene,
                .varying = shadow_views_varying(gpu_scene) > 0};
     const size_t lights = (size_t)scene->light_count + 1;
     made->count = 0;
-    made->views = calloc(room_for(scene), sizeof *made->views);
+    made->views = calloc(capacity_for(scene), sizeof *made->views);
     made->lights = calloc(lights, sizeof *made->lights);
     fit.corners = calloc((size_t)gpu_scene->place_count * CORNERS + 1, sizeof *fit.corners);
     const bool done = made->views && made->lights && fit.corners;

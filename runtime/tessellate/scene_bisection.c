@@ -21,7 +21,7 @@
 #include "compiler/base/hash_index.h"
 #include "runtime/tessellate/scene_divide.h"
 #include "runtime/scene/scene_places.h"
-#include "runtime/tessellate/scene_room.h"
+#include "runtime/tessellate/scene_growing.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -30,7 +30,7 @@
 
 static bool add_place(SceneBisection *b, uint32_t first)
 {
-    if (!scene_room(&b->places, b->place_count + 1, &b->place_room, sizeof *b->places))
+    if (!scene_growing(&b->places, b->place_count + 1, &b->place_capacity, sizeof *b->places))
         return false;
     SceneBisectionPlace *place = &b->places[b->place_count++];
     place->first = first;
@@ -42,8 +42,10 @@ static bool add_place(SceneBisection *b, uint32_t first)
  * normal sums the normals of its vertices, except those equal to the first one's. */
 static bool add_vertex(SceneBisection *b, const ShapeVertex *vertex, uint32_t place)
 {
-    if (!scene_room(&b->vertices, b->vertex_count + 1, &b->vertex_room, sizeof *b->vertices) ||
-        !scene_room(&b->place_of, b->vertex_count + 1, &b->place_of_room, sizeof *b->place_of))
+    if (!scene_growing(&b->vertices, b->vertex_count + 1, &b->vertex_capacity,
+                       sizeof *b->vertices) ||
+        !scene_growing(&b->place_of, b->vertex_count + 1, &b->place_of_capacity,
+                       sizeof *b->place_of))
         return false;
     const uint32_t number = (uint32_t)b->vertex_count++;
     b->vertices[number] = *vertex;
@@ -134,7 +136,7 @@ static bool add_triangle(SceneBisection *b, int base)
         if (is_longer(b, (uint32_t[]){corner[i], corner[(i + 1) % 3]},
                       (uint32_t[]){corner[first], corner[(first + 1) % 3]}))
             first = i;
-    if (!scene_room(&b->triangles, b->count + 1, &b->room, sizeof *b->triangles))
+    if (!scene_growing(&b->triangles, b->count + 1, &b->capacity, sizeof *b->triangles))
         return false;
     SceneBisectionTriangle *made = &b->triangles[b->count++];
     *made = (SceneBisectionTriangle){.base = base};
@@ -279,12 +281,12 @@ static bool divide_ring(SceneBisection *b, uint32_t edge)
     const uint32_t place = (uint32_t)b->place_count;
     uint32_t next = edge;
     do {
-        if (!scene_room(&b->ring, 2 * count + 2, &b->ring_room, sizeof *b->ring))
+        if (!scene_growing(&b->ring, 2 * count + 2, &b->ring_capacity, sizeof *b->ring))
             return false;
         b->ring[count++] = next;
         next = b->triangles[next / 3].across[0];
     } while (next != edge);
-    if (!scene_room(&b->triangles, b->count + count, &b->room, sizeof *b->triangles))
+    if (!scene_growing(&b->triangles, b->count + count, &b->capacity, sizeof *b->triangles))
         return false;
     uint32_t *vertices = b->ring + count; /* scratch memory after the ring's edges */
     for (size_t i = 0; i < count; i++) {
@@ -308,7 +310,7 @@ static bool divide_ring(SceneBisection *b, uint32_t edge)
 
 static bool wait(SceneBisection *b, size_t *count, uint32_t triangle)
 {
-    if (!scene_room(&b->waiting, *count + 2, &b->waiting_room, sizeof *b->waiting))
+    if (!scene_growing(&b->waiting, *count + 2, &b->waiting_capacity, sizeof *b->waiting))
         return false;
     b->waiting[(*count)++] = triangle;
     b->waiting[(*count)++] = (uint32_t)b->triangles[triangle].depth;

@@ -40,8 +40,8 @@ typedef struct SceneBisection {
     SceneBisectionPlace *places;
     /* scratch: edges that are divided together, and triangles that wait for others */
     uint32_t *ring, *waiting;
-    size_t count, room, vertex_count, vertex_room, place_of_room, place_count, place_room,
-        ring_room, waiting_room;
+    size_t count, capacity, vertex_count, vertex_capacity, place_of_capacity, place_count,
+        place_capacity, ring_capacity, waiting_capacity;
     /* Called for each triangle that became two, or NULL. */
     void (*divided)(void *user, uint32_t triangle, uint32_t made);
     void *user;

@@ -245,13 +245,13 @@ bool scene_displace(Scene *scene, Session *session, const MatcOptions *options)
     scene_fine_choose(scene, arena);
     if (!scene->displaced)
         return true;
-    const size_t room = (size_t)scene->mesh_count + 2 * (size_t)scene->displaced + 1;
-    SceneMesh *meshes = ARENA_ARRAY(arena, SceneMesh, room);
+    const size_t capacity = (size_t)scene->mesh_count + 2 * (size_t)scene->displaced + 1;
+    SceneMesh *meshes = ARENA_ARRAY(arena, SceneMesh, capacity);
     if (scene->mesh_count)
         memcpy(meshes, scene->meshes, (size_t)scene->mesh_count * sizeof *meshes);
     scene->meshes = meshes;
-    by->keys = ARENA_ARRAY(arena, Key, room);
-    by->users = ARENA_ARRAY(arena, int, room);
+    by->keys = ARENA_ARRAY(arena, Key, capacity);
+    by->users = ARENA_ARRAY(arena, int, capacity);
     if (displace_objects(scene, -1, 0, scene->object_count) != SCENE_DISPLACED_failed)
         return true;
     const SceneMaterial *of = &scene->materials[by->fault];

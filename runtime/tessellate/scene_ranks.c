@@ -1,10 +1,10 @@
 #include "runtime/tessellate/scene_ranks.h"
-#include "runtime/tessellate/scene_room.h"
+#include "runtime/tessellate/scene_growing.h"
 #include <stdlib.h>
 
 bool scene_ranks_put(SceneRanks *ranks, SceneRank rank)
 {
-    if (!scene_room(&ranks->ranks, ranks->count + 1, &ranks->room, sizeof *ranks->ranks))
+    if (!scene_growing(&ranks->ranks, ranks->count + 1, &ranks->capacity, sizeof *ranks->ranks))
         return false;
     size_t at = ranks->count++;
     for (; at && ranks->ranks[(at - 1) / 2].error < rank.error; at = (at - 1) / 2)

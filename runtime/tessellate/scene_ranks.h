@@ -12,7 +12,7 @@ typedef struct {
 
 typedef struct {
     SceneRank *ranks;
-    size_t count, room;
+    size_t count, capacity;
 } SceneRanks;
 
 /* Inserts a rank, or replaces the triangle's. False: out of memory. */

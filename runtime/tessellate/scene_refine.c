@@ -16,7 +16,7 @@
 #include "runtime/tessellate/scene_bisection.h"
 #include "runtime/tessellate/scene_divide.h"
 #include "runtime/tessellate/scene_ranks.h"
-#include "runtime/tessellate/scene_room.h"
+#include "runtime/tessellate/scene_growing.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -100,15 +100,15 @@ typedef struct {
     SceneBisection b;
     const SceneRefining *how;
     Sample *samples;
-    size_t sample_count, sample_room, sample_moved;
+    size_t sample_count, sample_capacity, sample_moved;
     uint32_t *first; /* first sample by triangle */
     uint32_t *stamp; /* by triangle: the round that changed it last */
     uint32_t round, first_round;
-    size_t state_count, first_room, stamp_room;
+    size_t state_count, first_capacity, stamp_capacity;
     double (*to)[3]; /* by place: its displaced position */
-    size_t to_count, to_room;
+    size_t to_count, to_capacity;
     uint32_t *touched; /* triangles changed since the last round */
-    size_t touched_count, touched_room;
+    size_t touched_count, touched_capacity;
     SceneRanks ranks;
     double least; /* mean square below which float rounding dominates */
     bool fine;
@@ -224,8 +224,8 @@ static bool fill_samples(Refiner *r, uint32_t triangle, int least)
     int count = 0;
     for (uint32_t i = r->first[triangle]; i != NONE; i = r->samples[i].next)
         count++;
-    if (!scene_room(&r->samples, r->sample_count + FIRST_SAMPLES, &r->sample_room,
-                    sizeof *r->samples))
+    if (!scene_growing(&r->samples, r->sample_count + FIRST_SAMPLES, &r->sample_capacity,
+                       sizeof *r->samples))
         return false;
     for (; count < least; count++) {
         Sample *made = &r->samples[r->sample_count];
@@ -239,8 +239,8 @@ static bool fill_samples(Refiner *r, uint32_t triangle, int least)
 /* Adds state for new triangles, without samples. */
 static bool add_states(Refiner *r)
 {
-    if (!scene_room(&r->first, r->b.count, &r->first_room, sizeof *r->first) ||
-        !scene_room(&r->stamp, r->b.count, &r->stamp_room, sizeof *r->stamp))
+    if (!scene_growing(&r->first, r->b.count, &r->first_capacity, sizeof *r->first) ||
+        !scene_growing(&r->stamp, r->b.count, &r->stamp_capacity, sizeof *r->stamp))
         return false;
     for (; r->state_count < r->b.count; r->state_count++) {
         r->first[r->state_count] = NONE;
@@ -253,7 +253,7 @@ static bool touch(Refiner *r, uint32_t triangle)
 {
     if (r->stamp[triangle] == r->round)
         return true;
-    if (!scene_room(&r->touched, r->touched_count + 1, &r->touched_room, sizeof *r->touched))
+    if (!scene_growing(&r->touched, r->touched_count + 1, &r->touched_capacity, sizeof *r->touched))
         return false;
     r->touched[r->touched_count++] = triangle;
     r->stamp[triangle] = r->round;
@@ -298,7 +298,7 @@ static ShapeVertex place_vertex(const SceneBisection *b, size_t place)
 
 static bool move_places(Refiner *r, ShapeVertex *at)
 {
-    if (!scene_room(&r->to, r->b.place_count, &r->to_room, sizeof *r->to))
+    if (!scene_growing(&r->to, r->b.place_count, &r->to_capacity, sizeof *r->to))
         return false;
     while (r->to_count < r->b.place_count) {
         int count = 0;

@@ -260,7 +260,7 @@ static void put_point(const Making *m, const SceneSpot *s, uint32_t number, Shap
 typedef struct {
     SceneSpot *spots;
     uint32_t *order;
-    SceneColumn *room;
+    SceneColumn *capacity;
 } Putting;
 
 /* Puts nodes from `first` on, in their order, as many as fit into a batch with their
@@ -279,20 +279,20 @@ static size_t put_some(const Making *m, const Putting *p, size_t first, Shape *m
             continue;
         if (!columns || !same_around(m, p->spots, number, before)) {
             const ShapeVertex base = base_of(m, node, &p->spots[number]);
-            set_around(m, node, &base, &p->room[columns]);
+            set_around(m, node, &base, &p->capacity[columns]);
             columns += OFFSETS;
         }
         around[count] = columns - OFFSETS;
         before = number;
     }
-    if (columns && !m->volume->solid(m->volume->user, p->room, columns))
+    if (columns && !m->volume->solid(m->volume->user, p->capacity, columns))
         return 0;
     for (size_t i = 0; i < count; i++) {
         const uint32_t number = p->order[first + i];
         const SceneNode *node = &m->cells.nodes[number];
         float *normal = made->vertices[number].normal;
         if (node->rim < 0)
-            put_normal(&p->room[around[i]], &p->spots[number], m->layers.step, normal);
+            put_normal(&p->capacity[around[i]], &p->spots[number], m->layers.step, normal);
         else
             put_wall_normal(m, node, &p->spots[number].there, normal);
     }
@@ -311,19 +311,19 @@ static bool put_shape(Making *m, Shape *made)
 {
     const size_t count = m->cells.node_count;
     const Putting p = {calloc(count + 1, sizeof *p.spots), calloc(count + 1, sizeof *p.order),
-                       calloc(BATCH, sizeof *p.room)};
+                       calloc(BATCH, sizeof *p.capacity)};
     *made = (Shape){.vertices = calloc(count + 1, sizeof *made->vertices),
                     .base = calloc(count + 1, sizeof *made->base),
                     .indices = m->cells.indices,
                     .vertex_count = (int)count,
                     .index_count = (int)m->cells.index_count};
     m->cells.indices = NULL;
-    const bool fine = p.spots && p.order && p.room && made->vertices && made->base &&
+    const bool fine = p.spots && p.order && p.capacity && made->vertices && made->base &&
                       scene_volume_spots(m->volume, &m->layers, &m->cells, p.spots, p.order) &&
                       put_vertices(m, &p, made);
     free(p.spots);
     free(p.order);
-    free(p.room);
+    free(p.capacity);
     if (!fine)
         shape_free(made);
     return fine;

@@ -14,7 +14,7 @@
  * triangles, corners included. */
 #include "runtime/tessellate/scene_volume_cells.h"
 #include "compiler/base/hash_index.h"
-#include "runtime/tessellate/scene_room.h"
+#include "runtime/tessellate/scene_growing.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -53,7 +53,8 @@ static uint32_t hash_of(uint32_t a, uint32_t b, uint32_t c)
 static uint32_t add_node(Walk *w, SceneNode node)
 {
     SceneCells *made = w->made;
-    if (!scene_room(&made->nodes, made->node_count + 1, &made->node_room, sizeof *made->nodes)) {
+    if (!scene_growing(&made->nodes, made->node_count + 1, &made->node_capacity,
+                       sizeof *made->nodes)) {
         w->fine = false;
         return 0;
     }
@@ -84,8 +85,8 @@ static uint32_t shared_node(Walk *w, SceneNode node)
 static void add_triangle(Walk *w, uint32_t a, uint32_t b, uint32_t c)
 {
     SceneCells *made = w->made;
-    if (!w->fine || !scene_room(&made->indices, made->index_count + 3, &made->index_room,
-                                sizeof *made->indices)) {
+    if (!w->fine || !scene_growing(&made->indices, made->index_count + 3, &made->index_capacity,
+                                   sizeof *made->indices)) {
         w->fine = false;
         return;
     }

@@ -41,7 +41,7 @@ typedef struct {
 typedef struct {
     SceneNode *nodes;
     uint32_t *indices;
-    size_t node_count, node_room, index_count, index_room;
+    size_t node_count, node_capacity, index_count, index_capacity;
 } SceneCells;
 
 bool scene_column_solid(const SceneColumn *column, double height);

@@ -39,7 +39,7 @@ typedef struct {
     const SceneLayers *layers;
     SceneSpot *spots;
     Search *searches; /* grouped by edge */
-    size_t count, room;
+    size_t count, capacity;
     SceneColumn *columns; /* columns evaluated at a time, and their requests */
     Asked *asked;
 } Looking;
@@ -166,9 +166,9 @@ static double next_to_ask(const Search *s)
 {
     const double width = s->high - s->low, middle = (s->low + s->high) / 2, line = by_line(s);
     const double toward = line < middle ? 1 : -1, way = truncation * width * width;
-    const double room = fmax(ldexp(1, -s->asked) - width / 2, 0);
+    const double capacity = fmax(ldexp(1, -s->asked) - width / 2, 0);
     const double moved = way < fabs(middle - line) ? line + toward * way : middle;
-    return fabs(moved - middle) <= room ? moved : middle - toward * room;
+    return fabs(moved - middle) <= capacity ? moved : middle - toward * capacity;
 }
 
 /* Returns the end of the searches on one edge. */
@@ -244,7 +244,7 @@ static bool ask_all(Looking *l, bool *any)
     *any = false;
     for (size_t first = 0, end; first < l->count; first = end) {
         end = edge_end(l, first);
-        if (count && (size_t)count + (end - first) > l->room) {
+        if (count && (size_t)count + (end - first) > l->capacity) {
             if (!answer(l, count))
                 return false;
             count = 0;
@@ -256,15 +256,15 @@ static bool ask_all(Looking *l, bool *any)
 }
 
 /* Sets the batch size: at least the number of searches on any edge. */
-static bool make_room(Looking *l)
+static bool make_capacity(Looking *l)
 {
-    l->room = BATCH;
+    l->capacity = BATCH;
     for (size_t first = 0, end; first < l->count; first = end) {
         end = edge_end(l, first);
-        l->room = end - first > l->room ? end - first : l->room;
+        l->capacity = end - first > l->capacity ? end - first : l->capacity;
     }
-    l->columns = calloc(l->room, sizeof *l->columns);
-    l->asked = calloc(l->room, sizeof *l->asked);
+    l->columns = calloc(l->capacity, sizeof *l->columns);
+    l->asked = calloc(l->capacity, sizeof *l->asked);
     return l->columns && l->asked;
 }
 
@@ -279,7 +279,7 @@ bool scene_volume_spots(const SceneVolume *volume, const SceneLayers *layers,
     for (size_t i = 0; fine && i < cells->node_count; i++)
         if (cells->nodes[order[i]].kind == SCENE_NODE_along)
             begin(&l, order[i]);
-    fine = fine && make_room(&l);
+    fine = fine && make_capacity(&l);
     while (fine && any)
         fine = ask_all(&l, &any);
     free(l.asked);

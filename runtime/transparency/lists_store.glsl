@@ -15,7 +15,7 @@ void main()
     bool hidden = depthHidden(FRAGMENT_DEPTH, texelFetch(lists_depth, ivec2(gl_FragCoord.xy), 0).x);
     if (surface_gone || hidden) return; // not earlier: neighboring pixels need its derivatives
     uint number = atomicAdd(lists_count, 1u);
-    if (number >= lists_room) return;
+    if (number >= lists_capacity) return;
     uint at = lists_pixels + number * LISTS_STRIDE;
     uint packed_words[] = uint[](LISTS_PACK);
     lists_words[at] = atomicExchange(lists_words[uint(gl_FragCoord.y) * lists_width + uint(gl_FragCoord.x)], number + 1u);

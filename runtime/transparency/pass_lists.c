@@ -22,14 +22,14 @@ static size_t bytes_of(const Renderer *renderer, GLuint fragments)
            (LISTS_HEADS + pixels + (size_t)fragments * (size_t)transparency_stride(&renderer->set));
 }
 
-static bool make_buffer(Renderer *renderer, GLuint room)
+static bool make_buffer(Renderer *renderer, GLuint capacity)
 {
     const GlContext *gl = renderer->gl;
     const GLuint head[LISTS_HEADS] = {[LISTS_WIDTH] = (GLuint)renderer->size[0],
                                       [LISTS_PIXELS] =
                                           (GLuint)renderer->size[0] * (GLuint)renderer->size[1],
-                                      [LISTS_ROOM] = room};
-    renderer->glass->lists.bytes = bytes_of(renderer, room);
+                                      [LISTS_CAPACITY] = capacity};
+    renderer->glass->lists.bytes = bytes_of(renderer, capacity);
     if (!renderer->glass->lists.buffer)
         gl->GenBuffers(1, &renderer->glass->lists.buffer);
     gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, renderer->glass->lists.buffer);
@@ -82,7 +82,7 @@ static bool count_fragments(Renderer *renderer)
 }
 
 /* Allocates the lists, if within the memory limit. */
-static bool make_room(Renderer *renderer)
+static bool make_capacity(Renderer *renderer)
 {
     const GLuint count = renderer->glass->lists.fragments;
     const size_t most = transparency_most_bytes(renderer);
@@ -102,9 +102,9 @@ static bool pass_lists_count(Renderer *renderer, FrameCount step)
     if (step == FRAME_COUNT_tile)
         return count_fragments(renderer);
     if (step == FRAME_COUNT_end)
-        return make_room(renderer);
+        return make_capacity(renderer);
     renderer->glass->lists.fragments = 0;
-    return bytes_of(renderer, 0) > transparency_most_bytes(renderer) ? make_room(renderer)
+    return bytes_of(renderer, 0) > transparency_most_bytes(renderer) ? make_capacity(renderer)
                                                                      : make_buffer(renderer, 0);
 }
 

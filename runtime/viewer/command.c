@@ -69,7 +69,7 @@ static const char *add_param(void *to, const Option *option, const char *text)
     if (command->param_count == PARAM_LIMIT)
         return "--param: no more than 64 of them";
     return param_read(text, &command->params[command->param_count++],
-                      ARENA_ARRAY(&command->words, char, PARAM_ROOM));
+                      ARENA_ARRAY(&command->words, char, PARAM_CAPACITY));
 }
 
 static const char *set_frames(void *to, const Option *option, const char *value)

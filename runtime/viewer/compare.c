@@ -118,7 +118,7 @@ static bool draw_way(Comparison *c, const Listing *listing, Way way)
     const bool varied = way.variant != WORD_COUNT;
     snprintf(name, sizeof name, "%s%s%s", listing->name(way.method), varied ? ", " : "",
              varied ? renderer_shadows_vary(&c->scene, way.method, way.variant) : "");
-    if (!contact_sheet_has_room(c->sheet))
+    if (!contact_sheet_has_capacity(c->sheet))
         return gl_fail(c->gl, "%s", contact_sheet_too_large);
     if (!listing->use(c, way) || !scene_pictures_show(c->pictures, &c->scene) ||
         !scene_pictures_pixels(c->pictures, c->rgb))

@@ -23,7 +23,7 @@ const char contact_sheet_too_large[] =
     "the contact sheet is larger than 16384 pixels; --size makes its pictures smaller";
 
 /* Uses the lower bound of contact_sheet_columns(): the square root of the count. */
-bool contact_sheet_has_room(const ContactSheet *sheet)
+bool contact_sheet_has_capacity(const ContactSheet *sheet)
 {
     return ceil(sqrt(sheet->count + 1)) * (sheet->width + GAP) + GAP <= PNG_SIZE_LIMIT;
 }
@@ -31,9 +31,9 @@ bool contact_sheet_has_room(const ContactSheet *sheet)
 void contact_sheet_add(ContactSheet *sheet, const char *name, const unsigned char *rgb)
 {
     const size_t size = (size_t)sheet->width * (size_t)sheet->height * 3;
-    if (sheet->count == sheet->room) {
-        sheet->room = sheet->room ? 2 * sheet->room : 16;
-        sheet->cells = realloc(sheet->cells, (size_t)sheet->room * sizeof *sheet->cells);
+    if (sheet->count == sheet->capacity) {
+        sheet->capacity = sheet->capacity ? 2 * sheet->capacity : 16;
+        sheet->cells = realloc(sheet->cells, (size_t)sheet->capacity * sizeof *sheet->cells);
         if (!sheet->cells)
             memory_exhausted();
     }

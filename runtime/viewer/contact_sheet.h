@@ -9,13 +9,13 @@ enum { SHEET_NAME = 128 };
 /* Pictures in order of insertion; initialize to {width, height}. */
 typedef struct {
     int width, height; /* of every picture, in pixels */
-    int count, room;
+    int count, capacity;
     struct ContactSheetCell *cells;
 } ContactSheet;
 
 /* Returns false if the sheet with one more picture exceeds the size limit of a file, however
  * many follow. True does not guarantee that the sheet fits. */
-bool contact_sheet_has_room(const ContactSheet *sheet);
+bool contact_sheet_has_capacity(const ContactSheet *sheet);
 extern const char contact_sheet_too_large[];
 /* Adds a picture: RGB bytes, bottom row first. Copies the pixels and the name; a long name is
  * truncated. */

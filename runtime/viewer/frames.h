@@ -4,7 +4,7 @@
 #include "runtime/scene/scene.h"
 #include <stddef.h>
 
-enum { FRAMES_MAX = 100000, FRAMES_ROOM = 80, FRAMES_A_SECOND = 25 };
+enum { FRAMES_MAX = 100000, FRAMES_CAPACITY = 80, FRAMES_A_SECOND = 25 };
 
 /* Range of frames; {0}: no frames were requested. */
 typedef struct {
@@ -20,7 +20,7 @@ const char *frames_read(const char *text, Frames *frames);
 const char *frames_read_one(const char *text, Frames *frames);
 /* Completes the range from the scene. Returns NULL, or an error message, which may be stored in
  * `room`. */
-const char *frames_check(const Scene *scene, Frames *frames, char room[FRAMES_ROOM]);
+const char *frames_check(const Scene *scene, Frames *frames, char capacity[FRAMES_CAPACITY]);
 
 /* Sets the camera and the time of `seen` for a frame. Returns false if the camera's direction is
  * degenerate. */
@@ -29,5 +29,5 @@ bool frames_place(const Frames *frames, const Scene *scene, int frame, Scene *se
 /* Expands the frame number in a pattern with a single % of the form %d or %0Nd (N from 1 to 9),
  * as in out-%04d.png. Returns false if the pattern has no or another %, or if the path exceeds
  * `room` bytes. */
-bool frames_path(const char *pattern, int frame, char *path, size_t room);
+bool frames_path(const char *pattern, int frame, char *path, size_t capacity);
 #endif

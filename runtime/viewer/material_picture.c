@@ -26,12 +26,13 @@ static const MatcUniform *find_uniform(const MatcProgram *program, const char *p
 }
 
 /* Reports an unknown param and lists the material's params. */
-static bool fail_unknown(const MatcProgram *program, const char *name, char *error, size_t room)
+static bool fail_unknown(const MatcProgram *program, const char *name, char *error, size_t capacity)
 {
-    size_t size = (size_t)snprintf(error, room, "--param: the material has no param '%s'%s", name,
-                                   matc_uniform_count(program) ? "; it has" : " and no other");
-    for (int i = 0; i < matc_uniform_count(program) && size < room; i++)
-        size += (size_t)snprintf(error + size, room - size, "%s %s", i ? "," : "",
+    size_t size =
+        (size_t)snprintf(error, capacity, "--param: the material has no param '%s'%s", name,
+                         matc_uniform_count(program) ? "; it has" : " and no other");
+    for (int i = 0; i < matc_uniform_count(program) && size < capacity; i++)
+        size += (size_t)snprintf(error + size, capacity - size, "%s %s", i ? "," : "",
                                  matc_uniform(program, i)->param);
     return false;
 }
@@ -39,19 +40,19 @@ static bool fail_unknown(const MatcProgram *program, const char *name, char *err
 static bool set_param(MaterialPictures *p, const MatcProgram *program, int number,
                       MaterialReport *reported)
 {
-    const size_t room = sizeof reported->error;
+    const size_t capacity = sizeof reported->error;
     Param param = p->options.params[number];
     const MatcUniform *uniform = find_uniform(program, param.name);
     const Preview *preview = &p->previews[p->shown];
     if (!uniform)
-        return fail_unknown(program, param.name, reported->error, room);
+        return fail_unknown(program, param.name, reported->error, capacity);
     if (!param_fit(&param, uniform->components))
-        return message_fail(reported->error, room, "--param: '%s' takes %d numbers, not %d",
+        return message_fail(reported->error, capacity, "--param: '%s' takes %d numbers, not %d",
                             uniform->param, uniform->components, param.components);
     return scene_pictures_param(p->pictures, uniform->name,
                                 param.values[param_colors(preview->material.document)],
                                 uniform->components) ||
-           message_fail(reported->error, room, "%s", p->gl->error);
+           message_fail(reported->error, capacity, "%s", p->gl->error);
 }
 
 static MatcProgram *compile(const MaterialPictures *p, unsigned outputs)

@@ -148,13 +148,13 @@ static int draw_cell(Run *run, ScenePictures *pictures, const char *name)
 {
     unsigned char *rgb =
         memory_checked(malloc((size_t)run->sheet->width * (size_t)run->sheet->height * 3));
-    const bool room = contact_sheet_has_room(run->sheet),
-               done = room && scene_pictures_pixels(pictures, rgb);
+    const bool capacity = contact_sheet_has_capacity(run->sheet),
+               done = capacity && scene_pictures_pixels(pictures, rgb);
     fputs(progress_erase(&run->shown.last), stderr);
     if (done)
         contact_sheet_add(run->sheet, name, rgb);
     free(rgb);
-    return done ? EXIT_OK : complain(name, room ? run->gl->error : contact_sheet_too_large);
+    return done ? EXIT_OK : complain(name, capacity ? run->gl->error : contact_sheet_too_large);
 }
 
 static int draw_material(Run *run, MatcDocument *document, int material, const char *name)
@@ -178,7 +178,7 @@ static int draw_material(Run *run, MatcDocument *document, int material, const c
 static int choose_and_draw(Run *run, MatcDocument *document, const char *input)
 {
     const Command *command = run->command;
-    char name[PICTURE_NAME_ROOM];
+    char name[PICTURE_NAME_CAPACITY];
     int count = matc_material_count(document), status = EXIT_OK;
     if (!count)
         return command->output ? complain(input, "the document has no material to draw") : EXIT_OK;
@@ -287,9 +287,9 @@ static int draw_scene(Run *run, Scene *scene, const char *input)
 {
     Drawing d = {
         .run = run, .input = input, .scene = scene, .seen = *scene, .frames = run->command->frames};
-    char room[FRAMES_ROOM];
+    char capacity[FRAMES_CAPACITY];
     const char *wrong = command_check_scene(run->command, scene);
-    const char *fault = wrong ? wrong : frames_check(scene, &d.frames, room);
+    const char *fault = wrong ? wrong : frames_check(scene, &d.frames, capacity);
     command_set_scene(run->command, run->command->compare ? scene : &d.seen);
     if (fault)
         return usage(fault);

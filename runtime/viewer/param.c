@@ -21,7 +21,8 @@ static bool take_uniform(const MatcDocument *document, const MatcOptions *option
     return found;
 }
 
-static const char *read_value(const char *value, Param *param, int colors, char room[PARAM_ROOM])
+static const char *read_value(const char *value, Param *param, int colors,
+                              char capacity[PARAM_CAPACITY])
 {
     static const char *const names[] = {"linear", "srgb"};
     MatcOptions options;
@@ -30,22 +31,22 @@ static const char *read_value(const char *value, Param *param, int colors, char 
     options.pass = "value";
     options.slot = "emissive";
     const char *quote = *value == '#' ? "\"" : ""; /* unquoted, # starts a comment */
-    int size = snprintf(room, PARAM_ROOM,
+    int size = snprintf(capacity, PARAM_CAPACITY,
                         "colors: %s\nmaterial: Phong\nemissive:\n  param: %s\n  default: %s%s%s\n",
                         names[colors], param->name, quote, value, quote);
-    if (size >= PARAM_ROOM)
+    if (size >= PARAM_CAPACITY)
         return "--param: the value is too long";
-    MatcDocument *document = matc_read("--param", room, (size_t)size, &options);
+    MatcDocument *document = matc_read("--param", capacity, (size_t)size, &options);
     bool fine =
         matc_material_count(document) == 1 && take_uniform(document, &options, param, colors);
     if (!fine)
-        snprintf(room, PARAM_ROOM, "--param: '%s' is no value of a param:\n%s", value,
+        snprintf(capacity, PARAM_CAPACITY, "--param: '%s' is no value of a param:\n%s", value,
                  matc_diagnostics(document, MATC_TEXT));
     matc_document_free(document);
-    return fine ? NULL : room;
+    return fine ? NULL : capacity;
 }
 
-const char *param_read(const char *text, Param *param, char room[PARAM_ROOM])
+const char *param_read(const char *text, Param *param, char capacity[PARAM_CAPACITY])
 {
     const char *equal = strchr(text, '=');
     size_t size = equal ? (size_t)(equal - text) : 0;
@@ -55,8 +56,8 @@ const char *param_read(const char *text, Param *param, char room[PARAM_ROOM])
         return "--param: the name is too long";
     *param = (Param){0};
     memcpy(param->name, text, size);
-    const char *fault = read_value(equal + 1, param, 0, room);
-    return fault ? fault : read_value(equal + 1, param, 1, room);
+    const char *fault = read_value(equal + 1, param, 0, capacity);
+    return fault ? fault : read_value(equal + 1, param, 1, capacity);
 }
 
 /* Looks for the key in the normalized document text, which has one line per key however the

@@ -5,8 +5,8 @@
 
 enum {
     PARAM_NAME = 64,
-    PARAM_ROOM = 8192, /* size of a message buffer */
-    PARAM_LIMIT = 64   /* max count on one command line */
+    PARAM_CAPACITY = 8192, /* size of a message buffer */
+    PARAM_LIMIT = 64       /* max count on one command line */
 };
 
 typedef struct {
@@ -19,7 +19,7 @@ typedef struct {
 
 /* Parses "tint=#c04020", "gloss=0.7", "offset=[0, 1, 0]": a name, then any value that a document
  * accepts as a param's default. Returns NULL, or an error message stored in `room`. */
-const char *param_read(const char *text, Param *param, char room[PARAM_ROOM]);
+const char *param_read(const char *text, Param *param, char capacity[PARAM_CAPACITY]);
 
 /* Returns the index into Param.values for a document: 1 if the document sets `colors: srgb`,
  * else 0. */

@@ -4,14 +4,14 @@
 #include <stdio.h>
 #include <string.h>
 
-void picture_name_of(const char *input, const char *material, char name[PICTURE_NAME_ROOM])
+void picture_name_of(const char *input, const char *material, char name[PICTURE_NAME_CAPACITY])
 {
     if (!strcmp(input, "-"))
         input = "stdin";
     const char *slash = strrchr(input, '/'), *stem = slash ? slash + 1 : input,
                *dot = strrchr(stem, '.');
     int size = dot && dot != stem ? (int)(dot - stem) : (int)strlen(stem);
-    snprintf(name, PICTURE_NAME_ROOM, "%.*s%s%s", size, stem, material ? "." : "",
+    snprintf(name, PICTURE_NAME_CAPACITY, "%.*s%s%s", size, stem, material ? "." : "",
              material ? material : "");
 }
 
@@ -29,7 +29,7 @@ const char *picture_name_claim(PictureOwners *owners, const char *path, const ch
         return why.at;
     }
     names_add(&owners->arena, &owners->paths, arena_string(&owners->arena, path, strlen(path)));
-    ARENA_PUSH(&owners->arena, owners->inputs, owners->input_count, owners->input_room, input);
+    ARENA_PUSH(&owners->arena, owners->inputs, owners->input_count, owners->input_capacity, input);
     return NULL;
 }
 
@@ -46,7 +46,7 @@ void picture_name_path(const Command *command, const char *name, char path[PICTU
 const char *picture_name_frame(const Command *command, const char *input, int frame,
                                char path[PICTURE_NAME_PATH])
 {
-    char name[PICTURE_NAME_ROOM], pattern[PICTURE_NAME_PATH];
+    char name[PICTURE_NAME_CAPACITY], pattern[PICTURE_NAME_PATH];
     const bool numbered =
         command->frames.given && (command->frames.first < command->frames.last ||
                                   !command->output || strchr(command->output, '%'));

@@ -4,7 +4,7 @@
 #include "compiler/base/names.h"
 #include "runtime/viewer/command.h"
 
-enum { PICTURE_NAME_ROOM = 512, PICTURE_NAME_PATH = 4096 };
+enum { PICTURE_NAME_CAPACITY = 512, PICTURE_NAME_PATH = 4096 };
 
 /* Paths written in this run, each with the document it was drawn from. {0} is empty. Free
  * `arena` at the end. */
@@ -12,7 +12,7 @@ typedef struct {
     Arena arena;
     Names paths;
     const char **inputs; /* parallel to `paths` */
-    size_t input_count, input_room;
+    size_t input_count, input_capacity;
 } PictureOwners;
 
 /* Reserves a path for a document's picture. Returns NULL, or an error message if another
@@ -22,7 +22,7 @@ const char *picture_name_claim(PictureOwners *owners, const char *path, const ch
 
 /* Sets the picture's base name: the document's file name without folders and extension, followed
  * by the material's name unless `material` is NULL (document with a single material). */
-void picture_name_of(const char *input, const char *material, char name[PICTURE_NAME_ROOM]);
+void picture_name_of(const char *input, const char *material, char name[PICTURE_NAME_CAPACITY]);
 /* Sets the output path of the picture with that base name. */
 void picture_name_path(const Command *command, const char *name, char path[PICTURE_NAME_PATH]);
 /* Sets the output path of a scene's frame, with the frame number. Returns NULL, or a usage

@@ -104,7 +104,7 @@ static void print_stages(bool timed)
         Session session = {.options = &options, .arena = &arena, .optimize = 2, .measure = true};
         Source source = {
             .name = "bench.yaml", .text = peers_document, .size = sizeof peers_document - 1};
-        ARENA_PUSH(&arena, session.sources, session.source_count, session.source_room, source);
+        ARENA_PUSH(&arena, session.sources, session.source_count, session.source_capacity, source);
         Tree *tree;
         Products products;
         Job job;

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { SIDE = 512, REPEATS = 80, VALUE_ROOM = 256, TEXT_ROOM = 512 };
+enum { SIDE = 512, REPEATS = 80, VALUE_CAPACITY = 256, TEXT_CAPACITY = 512 };
 
 /* Cheap values that differ from pixel to pixel. */
 static const char *const inputs[] = {
@@ -42,7 +42,7 @@ typedef struct {
 static double measure_call(Canvas *canvas, const Call *call)
 {
     static const char *const fill[] = {"", "", ", 0.0, 0.0", ", 0.0", ""};
-    char text[TEXT_ROOM], last[16] = "";
+    char text[TEXT_CAPACITY], last[16] = "";
     if (call->bits)
         snprintf(last, sizeof last, ", %d", call->bits);
     snprintf(text, sizeof text, "%s(%s(%s%s)%s)", call->words ? "uvec4" : "vec4", call->function,
@@ -60,7 +60,7 @@ static void put_row(Canvas *canvas, const FieldRow *field)
 {
     const EncodingRow *row = &encoding_table[field->encoding];
     const char *input = inputs[row->takes];
-    char code[VALUE_ROOM], empty[TEXT_ROOM];
+    char code[VALUE_CAPACITY], empty[TEXT_CAPACITY];
     Arena arena = {0};
     Text name = text_new(&arena), error = text_new(&arena);
     bench_show(row->name);

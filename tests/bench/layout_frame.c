@@ -8,7 +8,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { SIDE = 1024, REPEATS = 30, TEXT_ROOM = 1 << 15 };
+enum { SIDE = 1024, REPEATS = 30, TEXT_CAPACITY = 1 << 15 };
 
 static const char document_text[] =
     "material: Phong\n"
@@ -44,16 +44,16 @@ static double least_draw(GlContext *gl, const Screen *screen)
 static void reader_text(const LayoutRow *layout, char *text)
 {
     static const char *const swizzle[] = {".w", ".xy", ".xyz"};
-    int size = snprintf(text, TEXT_ROOM,
+    int size = snprintf(text, TEXT_CAPACITY,
                         "layout(location = 0) out vec4 color;\nvoid main() {\n"
                         "    Surface s = unpackSurface(ivec2(gl_FragCoord.xy));\n"
                         "    color = vec4(0.0);\n");
     for (int slot = 0; slot < SLOT_COUNT; slot++)
         if (layout_has_slot(layout, (Slot)slot))
-            size += snprintf(text + size, (size_t)(TEXT_ROOM - size), "    color%s += s.%s;\n",
+            size += snprintf(text + size, (size_t)(TEXT_CAPACITY - size), "    color%s += s.%s;\n",
                              swizzle[type_table[slot_table[slot].type].components - 1],
                              slot_table[slot].name);
-    snprintf(text + size, (size_t)(TEXT_ROOM - size), "}\n");
+    snprintf(text + size, (size_t)(TEXT_CAPACITY - size), "}\n");
 }
 
 /* State for drawing a pass. */
@@ -79,7 +79,7 @@ static bool time_write(Bench *b, MatcProgram *program, const Framebuffer *gbuffe
 static bool time_read(Bench *b, const LayoutRow *layout, const char *unpack,
                       const Framebuffer *gbuffer, double *ms)
 {
-    char text[TEXT_ROOM];
+    char text[TEXT_CAPACITY];
     Material reader;
     reader_text(layout, text);
     const ProgramText whole = {.vertex = {vertex_text},

@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { SIDE = 1024, TURNS = 15, TEXT_ROOM = 1 << 15, READERS = 3, MAX_MATERIALS = 4 };
+enum { SIDE = 1024, TURNS = 15, TEXT_CAPACITY = 1 << 15, READERS = 3, MAX_MATERIALS = 4 };
 
 /* All numbers are uniforms, so that nothing is packed beforehand. */
 static const struct {
@@ -61,16 +61,16 @@ typedef struct {
 static void put_reader(char *text)
 {
     static const char *const swizzle[] = {".w", ".xy", ".xyz"};
-    int size = snprintf(text, TEXT_ROOM,
+    int size = snprintf(text, TEXT_CAPACITY,
                         "layout(location = 0) out vec4 color;\nvoid main() {\n"
                         "    Surface s = unpackSurface(ivec2(gl_FragCoord.xy));\n"
                         "    color = vec4(0.0);\n");
     for (int slot = 0; slot < SLOT_COUNT; slot++)
         size += snprintf(
-            text + size, (size_t)(TEXT_ROOM - size),
+            text + size, (size_t)(TEXT_CAPACITY - size),
             "#ifdef SURFACE_HAS_%s\n    color%s += s.%s;\n#endif\n", slot_table[slot].name,
             swizzle[type_table[slot_table[slot].type].components - 1], slot_table[slot].name);
-    snprintf(text + size, (size_t)(TEXT_ROOM - size), "}\n");
+    snprintf(text + size, (size_t)(TEXT_CAPACITY - size), "}\n");
 }
 
 /* Stripes of all materials of the set. */
@@ -96,7 +96,7 @@ static bool fill(Bench *b, Reader *r)
 /* By these options; `used`: the text for the cases of the set alone. */
 static bool open_reader(Bench *b, MatcOptions options, bool used, Reader *r)
 {
-    char text[TEXT_ROOM];
+    char text[TEXT_CAPACITY];
     for (r->count = 0; r->count < matc_material_count(b->document); r->count++) {
         r->programs[r->count] = matc_compile(b->document, r->count, MATC_FRAGMENT, &options);
         options.cases |= used ? 1u << matc_case(r->programs[r->count]) : 0;

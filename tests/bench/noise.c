@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { SIDE = 512, GPU_FACTOR = 4, ROUNDS = 41, TEXT_ROOM = 1 << 17, PATH_ROOM = 1024 };
+enum { SIDE = 512, GPU_FACTOR = 4, ROUNDS = 41, TEXT_CAPACITY = 1 << 17, PATH_CAPACITY = 1024 };
 
 /* A function `float noise(vec3)`: of a file beside this one, or of the library by a choice. */
 typedef struct {
@@ -39,14 +39,14 @@ static const char text_main[] =
     "}\n";
 
 /* The fragment program of a row. False: said. */
-static bool write_text(const Row *row, char text[TEXT_ROOM])
+static bool write_text(const Row *row, char text[TEXT_CAPACITY])
 {
-    char path[PATH_ROOM], *read = NULL;
+    char path[PATH_CAPACITY], *read = NULL;
     const char *why = "no such function";
-    size_t size, head = sizeof text_head - 1, room = TEXT_ROOM - head - sizeof text_main;
+    size_t size, head = sizeof text_head - 1, capacity = TEXT_CAPACITY - head - sizeof text_main;
     memcpy(text, text_head, sizeof text_head);
     if (!row->file) {
-        canvas_library("noise", &row->choice, text + head, room);
+        canvas_library("noise", &row->choice, text + head, capacity);
     } else {
         snprintf(path, sizeof path, "%s/tests/bench/shaders/%s", SOURCE_FOLDER, row->file);
         read = file_read(path, &size, &why);
@@ -54,7 +54,7 @@ static bool write_text(const Row *row, char text[TEXT_ROOM])
             fprintf(stderr, "matbench: %s: %s\n", path, why);
             return false;
         }
-        snprintf(text + head, room, "%s", read);
+        snprintf(text + head, capacity, "%s", read);
         free(read);
     }
     strcat(text, text_main);
@@ -76,7 +76,7 @@ static bool make_square(Meter *m, Field *made)
 
 static bool time_rows(Meter *m, double nanoseconds[ROW_COUNT])
 {
-    static char text[TEXT_ROOM];
+    static char text[TEXT_CAPACITY];
     const int side = SIDE * (m->gl->hardware ? GPU_FACTOR : 1);
     const FramebufferSpec spec = {
         .width = side, .height = side, .color_count = 1, .color_format = GL_RGBA16F};

@@ -122,17 +122,17 @@ bool call_gather(Caller *c, int function, const Job *job)
     return found || gl_fail(c->gl, "no chunk %s", function_row(function)->name);
 }
 
-static void put_argument(char *text, size_t room, char letter, int i)
+static void put_argument(char *text, size_t capacity, char letter, int i)
 {
     static const char *const components[] = {
         ['2'] = ".xy", ['3'] = ".xyz", ['4'] = "", ['f'] = ".x"};
     const char *comma = i ? ", " : "";
     if (letter == 's')
-        snprintf(text, room, "%ssource", comma);
+        snprintf(text, capacity, "%ssource", comma);
     else if (letter == 'i')
-        snprintf(text, room, "%sint(floor(argument(%d.0).x + 0.5))", comma, i);
+        snprintf(text, capacity, "%sint(floor(argument(%d.0).x + 0.5))", comma, i);
     else
-        snprintf(text, room, "%sargument(%d.0)%s", comma, i, components[(int)letter]);
+        snprintf(text, capacity, "%sargument(%d.0)%s", comma, i, components[(int)letter]);
 }
 
 /* "color = vec4(f(...), 0.0, 0.0);" */

@@ -6,7 +6,7 @@
 #include <string.h>
 #include <time.h>
 
-enum { LIBRARY_ROOM = 1 << 16, MAIN_ROOM = 4096 };
+enum { LIBRARY_CAPACITY = 1 << 16, MAIN_CAPACITY = 4096 };
 
 bool canvas_open(Canvas *c, int side)
 {
@@ -29,7 +29,7 @@ void canvas_close(Canvas *c)
     *c = (Canvas){0};
 }
 
-bool canvas_library(const char *functions, const Choice *choice, char *library, size_t room)
+bool canvas_library(const char *functions, const Choice *choice, char *library, size_t capacity)
 {
     MatcOptions options = {0};
     Arena arena = {0};
@@ -51,15 +51,15 @@ bool canvas_library(const char *functions, const Choice *choice, char *library, 
     }
     library[0] = 0;
     for (size_t i = 0; i < chunks.count; i++)
-        strncat(library, chunks.at[i]->body, room - 1 - strlen(library));
+        strncat(library, chunks.at[i]->body, capacity - 1 - strlen(library));
     arena_free(&arena);
     return found;
 }
 
 static GLuint make_program(Canvas *c, const Drawing *d, bool words)
 {
-    static char library[LIBRARY_ROOM];
-    char head[256], body[MAIN_ROOM];
+    static char library[LIBRARY_CAPACITY];
+    char head[256], body[MAIN_CAPACITY];
     bool reads_words = d->source && framebuffer_has_words(d->source, 0),
          reads = d->source || d->texture;
     if (!canvas_library(d->functions, NULL, library, sizeof library)) {

@@ -29,7 +29,7 @@ typedef struct {
 
 /* The GLSL 3.30 of library functions and of what they need, users last, by the first choice of
  * every axis but that of `choice`, which may be NULL. False: there is no such function. */
-bool canvas_library(const char *functions, const Choice *choice, char *library, size_t room);
+bool canvas_library(const char *functions, const Choice *choice, char *library, size_t capacity);
 
 /* False: see error. Close it in any case. */
 bool canvas_open(Canvas *canvas, int side);

@@ -44,7 +44,7 @@ static double line_far(const Line *line, const BisectionBox *box)
 }
 
 /* How much of a side's room there is for a point: less than 0 is beyond it. */
-static double room_at(const SceneCamera *c, int side, const double way[3])
+static double capacity_at(const SceneCamera *c, int side, const double way[3])
 {
     const double depth = -vec3_dot(way, c->back);
     const double across = vec3_dot(way, side < 3 ? c->right : c->up);
@@ -94,7 +94,7 @@ static bool casts_nothing(const SceneCamera *c, const SceneLight *light, const B
             to[1][k] = to[0][k] + 1e6 * ray[k];
         }
         for (int side = 0; side < 5; side++)
-            beyond[side] += room_at(c, side, to[0]) < 0 && room_at(c, side, to[1]) < 0;
+            beyond[side] += capacity_at(c, side, to[0]) < 0 && capacity_at(c, side, to[1]) < 0;
     }
     bool hidden = looks_away(box, rays, 64);
     for (int i = 0; i < 5; i++)
@@ -131,7 +131,7 @@ double bisection_seen_far(const Scene *scene, const BisectionBox *box)
         for (int k = 0; k < 3; k++)
             way[k] = (i >> k & 1 ? box->high[k] : box->low[k]) - c->position[k];
         for (int side = 0; side < 5; side++)
-            beyond[side] += room_at(c, side, way) < 0;
+            beyond[side] += capacity_at(c, side, way) < 0;
     }
     bool hidden = looks_away(box, ways, 8);
     for (int i = 0; i < 5; i++)

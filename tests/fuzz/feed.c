@@ -8,10 +8,10 @@ static int files; /* nftw has no user argument */
 
 static void feed_stream(FILE *file)
 {
-    size_t size = 0, room = 1 << 16;
-    char *bytes = malloc(room);
-    while (bytes && (size += fread(bytes + size, 1, room - size, file)) == room)
-        bytes = realloc(bytes, room *= 2);
+    size_t size = 0, capacity = 1 << 16;
+    char *bytes = malloc(capacity);
+    while (bytes && (size += fread(bytes + size, 1, capacity - size, file)) == capacity)
+        bytes = realloc(bytes, capacity *= 2);
     if (!bytes)
         abort();
     char *fitted = malloc(size ? size : 1); /* no byte more: a sanitizer sees reads past the end */

@@ -231,7 +231,7 @@ static void read_tree(const Setting *s, const char *text, GrowthRun *run)
     Arena arena = {0};
     Session session = session_open(&s->options, &arena);
     const Source source = {.name = s->name, .text = text, .size = run->read};
-    ARENA_PUSH(&arena, session.sources, session.source_count, session.source_room, source);
+    ARENA_PUSH(&arena, session.sources, session.source_count, session.source_capacity, source);
     const Tree *tree = read_document(&session, 0);
     const Member *materials = tree ? tree_find(tree, "materials") : NULL;
     run->written += materials ? materials->value->count : 0;
@@ -247,7 +247,7 @@ static void read_back(const Setting *s, const char *text, GrowthRun *run)
     Source source = {.name = "growth.yaml", .text = text, .size = run->read};
     Tree *tree;
     Job job;
-    ARENA_PUSH(&arena, session.sources, session.source_count, session.source_room, source);
+    ARENA_PUSH(&arena, session.sources, session.source_count, session.source_capacity, source);
     choice_job(&s->options, &job);
     Graph *graph = compile_front(&session, 0, &tree);
     Ir *ir =

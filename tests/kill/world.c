@@ -50,9 +50,9 @@ const Scenario scenarios[SCENARIOS] = {
      false},
 };
 
-void world_path(const World *w, const char *name, char path[PATH_ROOM])
+void world_path(const World *w, const char *name, char path[PATH_CAPACITY])
 {
-    snprintf(path, PATH_ROOM, "%s/%s", w->root, name);
+    snprintf(path, PATH_CAPACITY, "%s/%s", w->root, name);
 }
 
 static void write_file(const char *path, const char *bytes, size_t size)
@@ -115,7 +115,7 @@ static bool same(const Bytes *a, const Bytes *b)
 
 bool world_is(const World *w, const Bytes *tree, bool hidden)
 {
-    char now[PATH_ROOM];
+    char now[PATH_CAPACITY];
     world_path(w, "now", now);
     Bytes there = world_tree(now, hidden);
     bool equal = same(&there, tree);
@@ -153,7 +153,7 @@ static bool holds(const Bytes *tree, const Bytes *wanted)
 
 bool world_index_is_true(const World *w)
 {
-    char path[PATH_ROOM];
+    char path[PATH_CAPACITY];
     size_t size, before, after;
     world_path(w, "now", path);
     Bytes tree = world_tree(path, true);
@@ -170,7 +170,7 @@ bool world_index_is_true(const World *w)
 /* Names of what is in the folder now, for a report. */
 static void show(const World *w)
 {
-    char command[2 * PATH_ROOM];
+    char command[2 * PATH_CAPACITY];
     snprintf(command, sizeof command,
              "cd '%s/now' && find . ! -path './cache/*' | sort | tr '\n' ' ' >&2; echo >&2; cat "
              "'%s/said' >&2",
@@ -182,7 +182,7 @@ static void show(const World *w)
 /* The folder of one name becomes what that of another is. */
 static void copy(const World *w, const char *from, const char *name)
 {
-    char path[PATH_ROOM], to[PATH_ROOM];
+    char path[PATH_CAPACITY], to[PATH_CAPACITY];
     world_path(w, from, path);
     world_path(w, name, to);
     folder_remove(to);
@@ -194,7 +194,7 @@ void world_reset(const World *w) { copy(w, "old", "now"); }
 /* The child: matc in the folder "now", with what it says in the file "said". */
 static void become_matc(const World *w, const char *const *arguments, long at, const char *how)
 {
-    char path[PATH_ROOM], number[32];
+    char path[PATH_CAPACITY], number[32];
     const char *all[MAX_ARGUMENTS + 2] = {MATC_PROGRAM};
     for (int i = 0; i < MAX_ARGUMENTS && arguments[i]; i++)
         all[i + 1] = arguments[i];
@@ -211,7 +211,7 @@ static void become_matc(const World *w, const char *const *arguments, long at, c
         const char *options =
             /* a sanitizer wants to be the first that is loaded, but need not be */
             getenv("ASAN_OPTIONS");
-        char more[PATH_ROOM];
+        char more[PATH_CAPACITY];
         snprintf(more, sizeof more, "%s:verify_asan_link_order=0", options ? options : "");
         setenv("ASAN_OPTIONS", more, 1);
         setenv("LD_PRELOAD", STRIKE_LIBRARY, 1);
@@ -235,7 +235,7 @@ int world_run(World *w, const char *const *arguments, long at, const char *how)
 
 bool world_says(const World *w, const char *what)
 {
-    char path[PATH_ROOM];
+    char path[PATH_CAPACITY];
     size_t size;
     world_path(w, "said", path);
     char *reported = read_whole(path, &size);
@@ -256,7 +256,7 @@ void world_check(World *w, bool fine, const Strike *at, const char *what)
 
 static void put_document(const World *w, const char *name, const char *text)
 {
-    char path[PATH_ROOM];
+    char path[PATH_CAPACITY];
     world_path(w, name, path);
     write_file(path, text, strlen(text));
 }
@@ -264,7 +264,7 @@ static void put_document(const World *w, const char *name, const char *text)
 int world_make(void **state)
 {
     World *w = calloc(1, sizeof *w);
-    char path[PATH_ROOM];
+    char path[PATH_CAPACITY];
     *state = w;
     /* in memory */
     strcpy(w->root, access("/dev/shm", W_OK) ? "/tmp/matc_killXXXXXX" : "/dev/shm/matc_killXXXXXX");
@@ -313,7 +313,7 @@ int world_remove(void **state)
 /* Calls of the last run. */
 static void read_calls(World *w)
 {
-    char path[PATH_ROOM], *rest;
+    char path[PATH_CAPACITY], *rest;
     size_t size;
     world_path(w, "calls", path);
     char *text = read_whole(path, &size);
@@ -335,7 +335,7 @@ bool call_is_one_of(const char *name, const char *const *names)
 /* The folder before the run, and after it, and the calls. */
 void world_prepare(World *w, const Scenario *s)
 {
-    char path[PATH_ROOM];
+    char path[PATH_CAPACITY];
     world_path(w, "old", path);
     folder_remove(path);
     mkdir(path, 0777);

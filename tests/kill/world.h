@@ -6,7 +6,7 @@
 #include "tests/sanitized.h"
 #include <stdbool.h>
 
-enum { PATH_ROOM = 1024, MAX_ARGUMENTS = 20, MAX_CALLS = 1000, SCENARIOS = 7 };
+enum { PATH_CAPACITY = 1024, MAX_ARGUMENTS = 20, MAX_CALLS = 1000, SCENARIOS = 7 };
 enum { STRIKE_STEP = SANITIZED ? 4 : 1 }; /* calls from one that is struck to the next */
 
 typedef struct {
@@ -23,7 +23,7 @@ extern const Scenario scenarios[SCENARIOS];
 /* Below root: the documents, the folder "old" as it was before the run, and "now", in which matc
  * runs. */
 typedef struct {
-    char root[PATH_ROOM / 4];
+    char root[PATH_CAPACITY / 4];
     Bytes before, after;    /* the folder as it was before the run, and as it should be after it */
     char *calls[MAX_CALLS]; /* names, in their order, from 1 */
     long call_count;
@@ -57,7 +57,7 @@ bool world_says(const World *w, const char *what);
 void world_check(World *w, bool fine, const Strike *at, const char *what);
 
 /* A path below the root. */
-void world_path(const World *w, const char *name, char path[PATH_ROOM]);
+void world_path(const World *w, const char *name, char path[PATH_CAPACITY]);
 /* All names below a folder and all bytes, but for the GPU scene's; without what only a next run
  * removes, unless `hidden`. */
 Bytes world_tree(const char *path, bool hidden);

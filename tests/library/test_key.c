@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MAX_MEMBERS = 256, BLOCK_ROOM = 16 * MAX_MEMBERS };
+enum { MAX_MEMBERS = 256, BLOCK_CAPACITY = 16 * MAX_MEMBERS };
 
 static const char plain[] =
     "material: Phong\n"
@@ -137,7 +137,7 @@ static void places_become_members(void **state)
 {
     Compiled c = compile("a.yaml", plain, NULL, NULL);
     int members[MAX_MEMBERS], count = matc_place_count(c.program);
-    unsigned char block[BLOCK_ROOM];
+    unsigned char block[BLOCK_CAPACITY];
     (void)state;
     assert_in_range(count, 4, MAX_MEMBERS);
     for (int i = 0; i < count; i++)
@@ -149,7 +149,7 @@ static void places_become_members(void **state)
     if (!matc_ok(placed))
         fail_msg("%s", matc_program_diagnostics(placed, MATC_TEXT));
     assert_int_equal(matc_constant_count(placed), count);
-    assert_in_range(matc_constant_bytes(placed), 16, BLOCK_ROOM);
+    assert_in_range(matc_constant_bytes(placed), 16, BLOCK_CAPACITY);
     matc_constant_block(placed, block);
     for (int i = 0, end = 0; i < count; i++) {
         const MatcConstant *member = matc_constant(placed, i),

@@ -11,10 +11,10 @@ enum { SKIPPED = 77 };
 char *meshes_path(const char *name)
 {
     static const char *const endings[] = {"obj", "ply"};
-    const size_t room = strlen(MESHES_FOLDER) + strlen(name) + 8;
-    char *path = malloc(room);
+    const size_t capacity = strlen(MESHES_FOLDER) + strlen(name) + 8;
+    char *path = malloc(capacity);
     for (size_t i = 0; path && i < sizeof endings / sizeof *endings; i++) {
-        snprintf(path, room, "%s/%s.%s", MESHES_FOLDER, name, endings[i]);
+        snprintf(path, capacity, "%s/%s.%s", MESHES_FOLDER, name, endings[i]);
         if (!strchr(name, '/') && !access(path, R_OK))
             return path;
     }

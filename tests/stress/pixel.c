@@ -25,11 +25,12 @@ void pixel_inputs(Pixel pixel, double inputs[INPUT_COUNT][4])
 /* Behind the line that tells the version. */
 char *pixel_program(Pixel pixel, const char *fragment)
 {
-    size_t room = strlen(fragment) + 128, head = strcspn(fragment, "\n") + 1;
-    char *text = malloc(room);
+    size_t capacity = strlen(fragment) + 128, head = strcspn(fragment, "\n") + 1;
+    char *text = malloc(capacity);
     if (!text)
         abort();
-    snprintf(text, room, "%.*s#define dFdx(v) ((v) * (%.9e))\n#define dFdy(v) ((v) * (%.9e))\n%s",
-             (int)head, fragment, pixel.right, pixel.up, fragment + head);
+    snprintf(text, capacity,
+             "%.*s#define dFdx(v) ((v) * (%.9e))\n#define dFdy(v) ((v) * (%.9e))\n%s", (int)head,
+             fragment, pixel.right, pixel.up, fragment + head);
     return text;
 }

@@ -43,7 +43,7 @@ static bool open_document(Trial *t, const char *text, size_t size)
     t->options.read_file = generate_file;
     t->session = (Session){.options = &t->options, .arena = &t->arena, .check = true};
     Source source = {.name = "stress.yaml", .text = text, .size = size};
-    ARENA_PUSH(&t->arena, t->session.sources, t->session.source_count, t->session.source_room,
+    ARENA_PUSH(&t->arena, t->session.sources, t->session.source_count, t->session.source_capacity,
                source);
     t->graph = compile_front(&t->session, 0, &t->tree);
     if (!t->graph || t->session.diags.errors || !t->graph->material_count)
@@ -276,9 +276,9 @@ static bool try_slot(Trial *t, Program *p, Slot slot)
              component++) {
             double written = s.exact[0].value[0][component],
                    want = wanted.known ? wanted.value.component[slot][component] : written;
-            double room = wanted.room.component[slot][component];
-            t->count->slopes += wanted.known && room > 0;
-            if (room > 0 && fabs(want - written) <= room)
+            double capacity = wanted.capacity.component[slot][component];
+            t->count->slopes += wanted.known && capacity > 0;
+            if (capacity > 0 && fabs(want - written) <= capacity)
                 want = written; /* the optimiser is held to what was written */
             for (int level = 0; level < 2; level++)
                 if (!agrees(t, &s, &(Expected){level, 0, component, want}))

@@ -84,7 +84,7 @@ const Ir *trial_ir(Trial *t, Arena *arena, Pass pass, Slot slot, int level);
 /* The oracle's value of a slot, and how far a true slope may be from its differences;
  * trial_oracle.c */
 typedef struct {
-    SlotValues value, room;
+    SlotValues value, capacity;
     bool known;
 } TrialWanted;
 void trial_ask_oracle(Trial *t, const Point *point, bool front, Slot slot, TrialWanted *w);

@@ -4,7 +4,7 @@
 
 /* For exact derivatives: differences to either side that are so far apart are not compared;
  * greatest error of the others. */
-static const double slope_apart = 1e-3, slope_room = 1e-6;
+static const double slope_apart = 1e-3, slope_capacity = 1e-6;
 
 /* Spans of the differences for exact derivatives: behind the point and ahead of it; if they
  * disagree, nothing is known. Two that agree may still have a common error, where a large number
@@ -23,7 +23,7 @@ static void judge_slope(TrialWanted *w, const SlotValues *sides, Slot slot, int 
     w->known = w->known && apart <= slope_apart * size;
     for (int i = SPAN_OTHER; i < SPAN_COUNT; i++)
         apart = fmax(apart, fabs(sides[i].component[slot][component] - value));
-    w->room.component[slot][component] = apart == 0 ? 0 : slope_room * size + 4 * apart;
+    w->capacity.component[slot][component] = apart == 0 ? 0 : slope_capacity * size + 4 * apart;
 }
 
 void trial_ask_oracle(Trial *t, const Point *point, bool front, Slot slot, TrialWanted *w)
@@ -32,7 +32,7 @@ void trial_ask_oracle(Trial *t, const Point *point, bool front, Slot slot, Trial
     SlotValues sides[SPAN_COUNT];
     /* of true displacement there are no others */
     const bool differs = t->bumps[slot] && (t->exact || oracle_displaced(t->material));
-    memset(&w->room, 0, sizeof w->room);
+    memset(&w->capacity, 0, sizeof w->capacity);
     point_surface(point, front, &surface);
     oracle_judge_slopes(t->oracle, true);
     oracle_material(t->oracle, t->material, &surface, &w->value);

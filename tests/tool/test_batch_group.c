@@ -251,7 +251,7 @@ static Made *group_wide(int count)
     return group(&(Case){components, count, 6, 1, NUMBERS_auto, rows});
 }
 
-static void a_buffer_has_room_for_1024_members(void **state)
+static void a_buffer_has_capacity_for_1024_members(void **state)
 {
     (void)state;
     Made *made = group_wide(MAX_MEMBERS);
@@ -303,7 +303,7 @@ int main(void)
         cmocka_unit_test(equal_numbers_need_no_buffer),
         cmocka_unit_test(without_auto_only_equal_keys_share),
         cmocka_unit_test(passes_have_programs_of_their_own),
-        cmocka_unit_test(a_buffer_has_room_for_1024_members),
+        cmocka_unit_test(a_buffer_has_capacity_for_1024_members),
         cmocka_unit_test(more_members_share_nothing),
         cmocka_unit_test(many_programs_keep_their_order),
     };

@@ -8,11 +8,11 @@
 #include <sys/stat.h>
 #include <sys/wait.h>
 
-static size_t read_bytes(const char *path, char *bytes, size_t room)
+static size_t read_bytes(const char *path, char *bytes, size_t capacity)
 {
     FILE *file = fopen(path, "rb");
     assert_non_null(file);
-    size_t size = fread(bytes, 1, room, file);
+    size_t size = fread(bytes, 1, capacity, file);
     fclose(file);
     return size;
 }
@@ -220,7 +220,7 @@ static void what_is_no_folder_is_refused(void **state)
 {
     const Folder *folder = *state;
     const char *why = NULL;
-    char path[PATH_ROOM];
+    char path[PATH_CAPACITY];
     size_t size;
     snprintf(path, sizeof path, "%s/file", folder->root);
     write_bytes(path, "x", 1);
@@ -289,7 +289,7 @@ static void damaged_statistics_are_no_fault(void **state)
     static const char *const texts[] = {"", "hits", "hits -1\nbytes x\n", "\xff\xfe",
                                         "bytes 99999999999999999999999999\n"};
     const Folder *folder = *state;
-    char path[2 * PATH_ROOM];
+    char path[2 * PATH_CAPACITY];
     snprintf(path, sizeof path, "%s/statistics", folder->path);
     for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
         Cache *cache = open_cache(folder, 1000);
@@ -299,7 +299,7 @@ static void damaged_statistics_are_no_fault(void **state)
         cache_close(cache);
         assert_int_equal(statistic(folder, "entries"), i + 1);
     }
-    char tag[2 * PATH_ROOM], text[64] = {0};
+    char tag[2 * PATH_CAPACITY], text[64] = {0};
     snprintf(tag, sizeof tag, "%s/CACHEDIR.TAG", folder->path);
     read_bytes(tag, text, sizeof text - 1);
     assert_int_equal(strncmp(text, "Signature: 8a477f597d28d172789f06886806bc55\n", 44), 0);

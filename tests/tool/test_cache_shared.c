@@ -1,5 +1,5 @@
-/* The GPU scene of many runs at once, and its limit: nothing wrong is served, and what was not used for
- * longest goes. */
+/* The GPU scene of many runs at once, and its limit: nothing wrong is served, and what was not used
+ * for longest goes. */
 #include "tests/test.h"
 #include "tests/cache_folder.h"
 #include <fcntl.h>
@@ -162,7 +162,7 @@ static void the_limit_holds_while_a_run_goes_on(void **state)
 static void trimming_leaves_other_files_alone(void **state)
 {
     const Folder *folder = *state;
-    char path[2 * PATH_ROOM], stale[2 * PATH_ROOM], fresh[2 * PATH_ROOM];
+    char path[2 * PATH_CAPACITY], stale[2 * PATH_CAPACITY], fresh[2 * PATH_CAPACITY];
     Cache *cache = open_cache(folder, 0);
     cache_put(cache, (Key){0, 0}, blob, sizeof blob);
     snprintf(path, sizeof path, "%s/00/holiday.jpg", folder->path);

@@ -1,5 +1,5 @@
-/* Entries of the GPU scene whose size is wrong: each is a miss, counts as damaged, and is replaced. And
- * the border of what a cache reads and writes. */
+/* Entries of the GPU scene whose size is wrong: each is a miss, counts as damaged, and is replaced.
+ * And the border of what a cache reads and writes. */
 #include "tests/test.h"
 #include "tests/cache_folder.h"
 #include <fcntl.h>
@@ -10,11 +10,11 @@
 /* The header is 40 bytes: magic, version, key, the blob's size, its checksum. */
 enum { SIZE_AT = 24, WHOLE = HEADER + sizeof blob };
 
-static size_t read_bytes(const char *path, char *bytes, size_t room)
+static size_t read_bytes(const char *path, char *bytes, size_t capacity)
 {
     FILE *file = fopen(path, "rb");
     assert_non_null(file);
-    size_t size = fread(bytes, 1, room, file);
+    size_t size = fread(bytes, 1, capacity, file);
     fclose(file);
     return size;
 }

@@ -29,7 +29,7 @@ static int age(const char *path, const struct stat *info, int kind, struct FTW *
 
 static bool age_cache(const World *w)
 {
-    char path[PATH_ROOM];
+    char path[PATH_CAPACITY];
     world_path(w, "now/cache", path);
     temporary_found = false;
     nftw(path, age, 16, FTW_PHYS);

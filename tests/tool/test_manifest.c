@@ -10,18 +10,18 @@
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
-enum { PATH_ROOM = 512, KEY_DIGITS = 32 };
+enum { PATH_CAPACITY = 512, KEY_DIGITS = 32 };
 
 /* -- running */
 
 typedef struct {
-    char folder[64], out[PATH_ROOM];
+    char folder[64], out[PATH_CAPACITY];
     int reported;
 } Fixture;
 
 static void write_text(const Fixture *f, const char *name, const char *text)
 {
-    char path[PATH_ROOM];
+    char path[PATH_CAPACITY];
     snprintf(path, sizeof path, "%s/%s", f->folder, name);
     FILE *file = fopen(path, "w");
     assert_non_null(file);
@@ -32,7 +32,7 @@ static void write_text(const Fixture *f, const char *name, const char *text)
 static int set_up(void **state)
 {
     static const char *const pictures[] = {"tiles.png", "ti\"le\\s.png"};
-    char path[PATH_ROOM];
+    char path[PATH_CAPACITY];
     Fixture *f = *state = calloc(1, sizeof *f);
     strcpy(f->folder, "/tmp/matc_manifestXXXXXX");
     if (!mkdtemp(f->folder))
@@ -81,7 +81,7 @@ static char *expand(const Fixture *f, const char *text)
 static bool run(Fixture *f, const Case *c, BatchResult *result)
 {
     char *argv[4 + MAX_OPTIONS + MAX_DOCUMENTS] = {"matc", "-d", f->out, "--no-validate"},
-                                 paths[MAX_DOCUMENTS][PATH_ROOM];
+                                 paths[MAX_DOCUMENTS][PATH_CAPACITY];
     char *options[MAX_OPTIONS] = {0};
     int argc = 4;
     CommandLine line;
@@ -104,7 +104,7 @@ static bool run(Fixture *f, const Case *c, BatchResult *result)
 
 static char *read_out(const Fixture *f, const char *name, size_t *size)
 {
-    char path[2 * PATH_ROOM];
+    char path[2 * PATH_CAPACITY];
     snprintf(path, sizeof path, "%s/%s", f->out, name);
     return read_whole(path, size);
 }

@@ -24,7 +24,7 @@
 #define MATC_PROGRAM "matc"
 #endif
 
-enum { MAX_MEMBERS = 256, BLOCK_ROOM = 16 * MAX_MEMBERS, RANDOM_TREES = 14, VARIANTS = 2 };
+enum { MAX_MEMBERS = 256, BLOCK_CAPACITY = 16 * MAX_MEMBERS, RANDOM_TREES = 14, VARIANTS = 2 };
 
 typedef struct {
     Drawer core, compat;
@@ -138,11 +138,11 @@ static void check_offset(const Material *shared, const char *name, int offset)
 /* The block of the program, from the numbers that the manifest has for a material. */
 static void set_constants(const Run *r, Material *shared, const cJSON *block, const cJSON *numbers)
 {
-    static unsigned char bytes[BLOCK_ROOM];
+    static unsigned char bytes[BLOCK_CAPACITY];
     const cJSON *members = cJSON_GetObjectItemCaseSensitive(block, "members"), *member,
                 *list = numbers->child;
     int size = number_of(block, "size");
-    assert_true(size > 0 && size <= BLOCK_ROOM && size % 16 == 0);
+    assert_true(size > 0 && size <= BLOCK_CAPACITY && size % 16 == 0);
     assert_int_equal(cJSON_GetArraySize(members), cJSON_GetArraySize(numbers));
     memset(bytes, 0, sizeof bytes);
     cJSON_ArrayForEach(member, members)

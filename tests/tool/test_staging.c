@@ -13,20 +13,20 @@
 #include <time.h>
 #include <unistd.h>
 
-enum { PATH_ROOM = 512 };
+enum { PATH_CAPACITY = 512 };
 enum { TICK_NS = 20000000 }; /* longer than a step of the file system's clock */
 
 /* The output folder of a run that ended after it wrote its list of intents: replace "old" by "new"
  * in a.frag, remove b.frag, replace the manifest. */
 typedef struct {
-    char path[PATH_ROOM / 2];
+    char path[PATH_CAPACITY / 2];
     int folder;
     Stage stage;
 } Interrupted;
 
 static void write_text(const Interrupted *run, const char *name, const char *text)
 {
-    char path[PATH_ROOM];
+    char path[PATH_CAPACITY];
     snprintf(path, sizeof path, "%s/%s", run->path, name);
     FILE *file = fopen(path, "w");
     assert_non_null(file);
@@ -36,7 +36,7 @@ static void write_text(const Interrupted *run, const char *name, const char *tex
 
 static void assert_file(const Interrupted *run, const char *name, const char *wanted)
 {
-    char path[PATH_ROOM];
+    char path[PATH_CAPACITY];
     size_t size;
     snprintf(path, sizeof path, "%s/%s", run->path, name);
     char *text = read_whole(path, &size);

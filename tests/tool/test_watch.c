@@ -12,11 +12,11 @@
 #include <time.h>
 #include <unistd.h>
 
-enum { PATH_ROOM = 128, FILES = 4, LONG_MS = 5000, SHORT_MS = 120 };
+enum { PATH_CAPACITY = 128, FILES = 4, LONG_MS = 5000, SHORT_MS = 120 };
 
 typedef struct {
-    char root[PATH_ROOM / 2];
-    char paths[FILES][PATH_ROOM]; /* a, b, below/c, link: the last leads to elsewhere/d */
+    char root[PATH_CAPACITY / 2];
+    char paths[FILES][PATH_CAPACITY]; /* a, b, below/c, link: the last leads to elsewhere/d */
     const char *list[FILES];
     bool poll_only;
 } Fixture;
@@ -44,7 +44,7 @@ static void put(const char *path, const char *text)
 /* As editors save. */
 static void replace(const char *path, const char *text)
 {
-    char beside[PATH_ROOM + 8];
+    char beside[PATH_CAPACITY + 8];
     snprintf(beside, sizeof beside, "%s.new", path);
     put(beside, text);
     assert_int_equal(rename(beside, path), 0);
@@ -52,7 +52,7 @@ static void replace(const char *path, const char *text)
 
 static const char *in_root(const Fixture *f, const char *name)
 {
-    static char path[2 * PATH_ROOM];
+    static char path[2 * PATH_CAPACITY];
     snprintf(path, sizeof path, "%s/%s", f->root, name);
     return path;
 }
@@ -69,7 +69,7 @@ static int make(void **state, bool poll_only)
         return -1;
     put(in_root(f, "elsewhere/d"), "d");
     for (int i = 0; i < FILES; i++) {
-        snprintf(f->paths[i], PATH_ROOM, "%s/%s", f->root, names[i]);
+        snprintf(f->paths[i], PATH_CAPACITY, "%s/%s", f->root, names[i]);
         f->list[i] = f->paths[i];
         if (i < FILES - 1)
             put(f->paths[i], names[i]);
@@ -138,7 +138,7 @@ static void every_kind_of_change_is_seen_once(void **state)
 static void a_file_that_is_not_there_yet_is_waited_for(void **state)
 {
     Fixture *f = *state;
-    snprintf(f->paths[0], PATH_ROOM, "%s/x/y/z", f->root);
+    snprintf(f->paths[0], PATH_CAPACITY, "%s/x/y/z", f->root);
     Watch *watch = open_watch(f, 1);
     assert_quiet(watch);
     assert_int_equal(mkdir(in_root(f, "x"), 0700), 0);
@@ -154,7 +154,7 @@ static void a_file_that_is_not_there_yet_is_waited_for(void **state)
 static void a_folder_may_go_and_come(void **state)
 {
     const Fixture *f = *state;
-    char away[2 * PATH_ROOM];
+    char away[2 * PATH_CAPACITY];
     snprintf(away, sizeof away, "%s", in_root(f, "away"));
     Watch *watch = open_watch(f, FILES);
     assert_int_equal(rename(in_root(f, "below"), away), 0);

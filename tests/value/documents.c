@@ -91,7 +91,7 @@ static bool take_text(Document *d, const char *path, const char *text, size_t si
     d->session =
         (Session){.options = &d->options, .arena = &d->arena, .optimize = 2, .check = true};
     Source source = {.name = path, .text = text, .size = size};
-    ARENA_PUSH(&d->arena, d->session.sources, d->session.source_count, d->session.source_room,
+    ARENA_PUSH(&d->arena, d->session.sources, d->session.source_count, d->session.source_capacity,
                source);
     d->graph = compile_front(&d->session, 0, &d->tree);
     return d->graph && d->graph->material_count && matc_error_count(d->document) == 0;

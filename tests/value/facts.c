@@ -18,7 +18,7 @@ const Fact *facts_find(const Facts *facts, FactKind kind, const char *name)
 
 static Fact *next(Facts *facts, FactKind kind)
 {
-    if (facts->count == FACT_ROOM)
+    if (facts->count == FACT_CAPACITY)
         abort();
     Fact *fact = &facts->at[facts->count++];
     *fact = (Fact){.kind = kind, .place = NO_PLACE};

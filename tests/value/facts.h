@@ -19,7 +19,7 @@ typedef enum {
 } FactKind;
 extern const char *const fact_kinds[FACT_KINDS];
 
-enum { FACT_TEXT = 128, FACT_ROOM = 512, NO_PLACE = -1 };
+enum { FACT_TEXT = 128, FACT_CAPACITY = 512, NO_PLACE = -1 };
 
 typedef struct {
     FactKind kind;
@@ -28,7 +28,7 @@ typedef struct {
 } Fact;
 
 typedef struct {
-    Fact at[FACT_ROOM];
+    Fact at[FACT_CAPACITY];
     int count;
 } Facts;
 

@@ -42,7 +42,7 @@ static void spell(GLenum type, char text[FACT_TEXT])
 
 static Fact *add(Facts *facts, FactKind kind, const char *name, int place)
 {
-    if (facts->count == FACT_ROOM)
+    if (facts->count == FACT_CAPACITY)
         abort();
     Fact *fact = &facts->at[facts->count++];
     *fact = (Fact){.kind = kind, .place = place};

@@ -110,7 +110,7 @@ static void spell(const Module *m, uint32_t type, char text[FACT_TEXT])
 
 static Fact *add(Module *m, FactKind kind, const char *name, int place)
 {
-    if (m->facts->count == FACT_ROOM)
+    if (m->facts->count == FACT_CAPACITY)
         abort();
     Fact *fact = &m->facts->at[m->facts->count++];
     *fact = (Fact){.kind = kind, .place = place};

@@ -312,12 +312,12 @@ bool point_is_extreme(const Point *point)
     return false;
 }
 
-void point_describe(const Point *p, char *text, size_t room)
+void point_describe(const Point *p, char *text, size_t capacity)
 {
     const float(*i)[3] = p->input;
-    snprintf(text, room, "%.9g %.9g  %.9g %.9g %.9g  %.9g %.9g %.9g", i[INPUT_U][0], i[INPUT_U][1],
-             i[INPUT_X][0], i[INPUT_X][1], i[INPUT_X][2], i[INPUT_P][0], i[INPUT_P][1],
-             i[INPUT_P][2]);
+    snprintf(text, capacity, "%.9g %.9g  %.9g %.9g %.9g  %.9g %.9g %.9g", i[INPUT_U][0],
+             i[INPUT_U][1], i[INPUT_X][0], i[INPUT_X][1], i[INPUT_X][2], i[INPUT_P][0],
+             i[INPUT_P][1], i[INPUT_P][2]);
 }
 
 double hull_miss(const Hull *hull, Slot slot, int component, double number)

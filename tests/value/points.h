@@ -24,7 +24,7 @@ void points_make_others(Point points[POINT_COUNT], int seed);
 bool point_is_far(const Point *point, float distance);
 
 /* u v  x y z  px py pz. */
-void point_describe(const Point *point, char *text, size_t room);
+void point_describe(const Point *point, char *text, size_t capacity);
 
 extern const double point_ior, point_viewer[4], point_time; /* of every point */
 void point_surface(const Point *point, bool front, Surface *surface);

@@ -78,12 +78,12 @@ static void put_type(const Words *w, uint32_t id, char *text)
 {
     const size_t at = type_at(w, id), length = strlen(text);
     char *end = text + length;
-    const size_t room = SPIRV_TYPE - length;
-    if (at >= w->count || room < 40)
+    const size_t capacity = SPIRV_TYPE - length;
+    if (at >= w->count || capacity < 40)
         return;
     const uint32_t op = w->words[at] & 0xFFFF, size = w->words[at] >> 16;
     if (op == OP_INT || op == OP_FLOAT) {
-        snprintf(end, room, "%c%u",
+        snprintf(end, capacity, "%c%u",
                  op == OP_FLOAT     ? 'f'
                  : w->words[at + 3] ? 'i'
                                     : 'u',
@@ -92,7 +92,7 @@ static void put_type(const Words *w, uint32_t id, char *text)
         put_type(w, w->words[at + 2], text);
         snprintf(text + strlen(text), SPIRV_TYPE - strlen(text), "x%u", w->words[at + 3]);
     } else if (op == OP_ARRAY || op == OP_RUNTIME) {
-        snprintf(end, room, "[]");
+        snprintf(end, capacity, "[]");
         put_type(w, w->words[at + 2], text);
     } else if (op == OP_STRUCT) {
         for (uint32_t i = 2; i < size; i++) {
@@ -102,7 +102,7 @@ static void put_type(const Words *w, uint32_t id, char *text)
         }
         snprintf(text + strlen(text), SPIRV_TYPE - strlen(text), "}");
     } else {
-        snprintf(end, room, op == OP_SAMPLED || op == OP_IMAGE ? "image" : "type %u", op);
+        snprintf(end, capacity, op == OP_SAMPLED || op == OP_IMAGE ? "image" : "type %u", op);
     }
 }
 

@@ -115,7 +115,7 @@ static void what_cannot_be_is_told(void **state)
 
 /* A sheet that is too large is detected before it is drawn: whatever follows, an edge is at least
  * the root of the number of pictures. */
-static void room_is_known_before(void **state)
+static void capacity_is_known_before(void **state)
 {
     (void)state;
     static const struct {
@@ -125,7 +125,7 @@ static void room_is_known_before(void **state)
         ContactSheet sheet = {.width = cases[i].edge, .height = 1};
         unsigned char *rgb = calloc((size_t)cases[i].edge, 3);
         assert_non_null(rgb);
-        for (; contact_sheet_has_room(&sheet); contact_sheet_add(&sheet, "one", rgb))
+        for (; contact_sheet_has_capacity(&sheet); contact_sheet_add(&sheet, "one", rgb))
             assert_true(sheet.count < cases[i].most);
         assert_int_equal(sheet.count, cases[i].most);
         free(rgb);
@@ -164,7 +164,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(columns_fill_rows),      cmocka_unit_test(pictures_lie_in_order),
-        cmocka_unit_test(what_cannot_be_is_told), cmocka_unit_test(room_is_known_before),
+        cmocka_unit_test(what_cannot_be_is_told), cmocka_unit_test(capacity_is_known_before),
         cmocka_unit_test(letters_differ),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -165,7 +165,7 @@ static int number_of(Staging *s, const char *name)
     pthread_mutex_lock(&s->mutex);
     int number = string_set_add(&s->names, name, &added);
     if (added) {
-        s->files = sets_resize(s->files, (size_t)s->names.room * sizeof *s->files);
+        s->files = sets_resize(s->files, (size_t)s->names.capacity * sizeof *s->files);
         s->files[number] = (StagedFile){.dropped = true}; /* until the file is written */
     }
     pthread_mutex_unlock(&s->mutex);
@@ -244,7 +244,8 @@ StagingFile *staging_list(const Staging *s, int *count)
 static void add_stale(Staging *s, const char *name, Key hash)
 {
     int number = string_set_add(&s->stale, name, NULL);
-    s->stale_hashes = sets_resize(s->stale_hashes, (size_t)s->stale.room * sizeof *s->stale_hashes);
+    s->stale_hashes =
+        sets_resize(s->stale_hashes, (size_t)s->stale.capacity * sizeof *s->stale_hashes);
     s->stale_hashes[number] = hash;
 }
 

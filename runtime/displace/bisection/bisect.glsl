@@ -58,7 +58,7 @@ coherent
 layout(std430, binding = 4) buffer BisectRows {
     float bisect_rows[];
 };
-uniform int bisect_room;        // slots for leaves
+uniform int bisect_capacity;        // slots for leaves
 uniform int bisect_baseBits;    // bits of a base's number
 uniform int bisect_tableBits;   // log2 of the table's size
 // number of the search, from 1 to 255: older table entries are empty
@@ -120,7 +120,7 @@ uint bisectTask(uint group)
 
 uint bisectWord(uint list, uint i)
 {
-    return STATE_WORDS + list * uint(bisect_room) + i;
+    return STATE_WORDS + list * uint(bisect_capacity) + i;
 }
 
 // -- leaves
@@ -243,7 +243,7 @@ uvec2 bisectFindChildren(uint base, uint number)
     uvec2 first = bisectId(base, 2u * number), second = bisectId(base, 2u * number + 1u);
     uint most = (1u << bisect_tableBits) - 1u;
     uvec2 entry = uvec2(bisect_table[bisectHash(first) & most], bisect_table[bisectHash(second) & most]);
-    uvec2 slot = min((entry & 0xFFFFFFu) - 1u, uvec2(bisect_room - 1)), there = entry >> 24;
+    uvec2 slot = min((entry & 0xFFFFFFu) - 1u, uvec2(bisect_capacity - 1)), there = entry >> 24;
     bool has_first = bisectIdAt(slot.x) == first, has_second = bisectIdAt(slot.y) == second;
     if (there.x != uint(bisect_stamp) || !has_first)
         slot.x = bisectFind(base, 2u * number);

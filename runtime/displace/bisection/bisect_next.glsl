@@ -31,7 +31,7 @@ void bisectNext(int step)
         bisect_head[LOOKED] = chosen;
     if (step == 1 || step == 3) {
         uint live = bisect_head[HIGH] - bisect_head[FREE];
-        if (step == 3 && live + chosen > uint(bisect_room))
+        if (step == 3 && live + chosen > uint(bisect_capacity))
             bisect_head[FULL] = 1u;
         bisectSet(GROUPS_CHOSEN, bisect_head[FULL] != 0u ? 0u : chosen, step == 3 ? BISECT_SPLITS : BISECT_THREADS);
         return;

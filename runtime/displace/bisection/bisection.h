@@ -39,7 +39,7 @@ typedef struct {
     Material stages[BISECTION_STAGES]; /* the splitting stage is the mesh's material */
     GLuint buffers[BISECTION_BUFFERS];
     /* slots for leaves now, and their maximum; log2 of the table's size */
-    int room, most, table_bits;
+    int capacity, most, table_bits;
     int ranged; /* depth up to which ranges are stored */
     int tile;   /* tile size: BISECTION_TILE_FEW or BISECTION_TILE_MANY */
     /* rounds of merging and of splitting in the last view */
@@ -67,7 +67,7 @@ bool bisection_there(const GlContext *gl);
 bool bisection_make(const DisplacedMaking *making, Displaced *made);
 void bisection_forget(Displaced *displaced);
 /* Resizes the buffers to `room` leaves and their corners in the mesh; existing leaves are kept. */
-bool bisection_room(Displaced *displaced, Mesh *mesh, int room);
+bool bisection_capacity(Displaced *displaced, Mesh *mesh, int capacity);
 /* Returns the bytes of the buffer of lists for `places` leaves. */
 size_t bisection_work_bytes(const Bisection *b, size_t places);
 /* Returns the bytes of the buffer of leaves for `places` leaves. */

@@ -203,12 +203,12 @@ size_t bisection_leaf_bytes(size_t places)
 /* Ensures capacity for `room` leaves. A fresh evaluation adds one table entry per slot, and a
  * view's rounds add one per merge and two per bisection: update() starts a new table when not
  * enough entries are free. */
-bool bisection_room(Displaced *d, Mesh *mesh, int room)
+bool bisection_capacity(Displaced *d, Mesh *mesh, int capacity)
 {
     Bisection *b = d->own;
     const GlContext *gl = displaced_context(d);
-    const size_t had = (size_t)b->room, places = (size_t)room;
-    b->room = room;
+    const size_t had = (size_t)b->capacity, places = (size_t)capacity;
+    b->capacity = capacity;
     b->table_bits = bits_of(5 * places);
     b->stamp = 0;
     b->pixels = 0;
@@ -218,9 +218,9 @@ bool bisection_room(Displaced *d, Mesh *mesh, int room)
     new_buffer(gl, b->buffers[BISECTION_TABLE], ((size_t)1 << b->table_bits) * sizeof(GLuint),
                NULL);
     new_buffer(gl, b->buffers[BISECTION_WORK], bisection_work_bytes(b, places), NULL);
-    bisection_set_number(d, "bisect_room", room);
+    bisection_set_number(d, "bisect_capacity", capacity);
     bisection_set_number(d, "bisect_tableBits", b->table_bits);
-    return displaced_unshared(d, mesh, room);
+    return displaced_unshared(d, mesh, capacity);
 }
 
 static int most_of(const GlContext *gl, const ScenePatches *patches)

@@ -19,7 +19,7 @@ enum {
     ROWS_BINDING = DISPLACED_BINDINGS - DISPLACED_BUFFERS,
     GROUP = 64,
     WIDE_GROUPS = 256,
-    MIN_ROOM = 1 << 12
+    MIN_CAPACITY = 1 << 12
 };
 
 /* -- stages */
@@ -200,7 +200,7 @@ static bool update(Displaced *d)
     const GLuint high = b->head[BISECTION_HIGH];
     const double pixels = d->patches->pixels * exp2(b->coarser / 4.);
     const bool fresh =
-        b->pixels != pixels || b->entries > ldexp(1, b->table_bits) - (double)ENTRIES * b->room;
+        b->pixels != pixels || b->entries > ldexp(1, b->table_bits) - (double)ENTRIES * b->capacity;
     if (fresh)
         begin_anew(d, pixels);
     write_head(d, high, fresh ? 0 : b->head[BISECTION_FREE]);
@@ -241,8 +241,8 @@ static bool settle(Displaced *d, Mesh *mesh)
         const bool fits = update(d);
         if (b->head[BISECTION_LOST])
             return gl_fail(displaced_context(d), "bisection lost a neighbour");
-        if (!fits && b->room < b->most) {
-            if (!bisection_room(d, mesh, b->room < b->most / 2 ? 2 * b->room : b->most))
+        if (!fits && b->capacity < b->most) {
+            if (!bisection_capacity(d, mesh, b->capacity < b->most / 2 ? 2 * b->capacity : b->most))
                 return false;
             bind(d, mesh);
         } else if (!fits) {
@@ -261,8 +261,9 @@ static bool settle(Displaced *d, Mesh *mesh)
 static bool begin(Displaced *d, Mesh *mesh)
 {
     Bisection *b = d->own;
-    const int bases = d->patches->count, room = 2 * bases > MIN_ROOM ? 2 * bases : MIN_ROOM;
-    if (!bisection_room(d, mesh, room < b->most ? room : b->most))
+    const int bases = d->patches->count,
+              capacity = 2 * bases > MIN_CAPACITY ? 2 * bases : MIN_CAPACITY;
+    if (!bisection_capacity(d, mesh, capacity < b->most ? capacity : b->most))
         return false;
     bind(d, mesh);
     write_head(d, (GLuint)bases, 0);
@@ -277,7 +278,7 @@ static bool write(Displaced *d, const DisplacedView *view, Mesh *mesh)
 {
     Bisection *b = d->own;
     const GlContext *gl = displaced_context(d);
-    const bool first = !b->room;
+    const bool first = !b->capacity;
     const BisectionLights lights = bisection_view_lights(view);
     d->anew = false;
     if (!first && !memcmp(&b->camera, &view->scene->camera, sizeof b->camera) &&
@@ -311,7 +312,7 @@ DisplacedBisectionCost displaced_bisection_cost(const Displaced *d)
         .merges = b->merges,
         .kept = bisection_leaf_bytes(b->head[BISECTION_HIGH]) +
                 2 * sizeof(GLuint) * ((size_t)d->patches->count << (b->ranged + 1)),
-        .scratch = (sizeof(GLuint) << b->table_bits) + bisection_work_bytes(b, (size_t)b->room),
+        .scratch = (sizeof(GLuint) << b->table_bits) + bisection_work_bytes(b, (size_t)b->capacity),
         .looks = b->looks,
         .looked = b->looked,
         .pixels = d->patches->pixels * exp2(b->coarser / 4.)};

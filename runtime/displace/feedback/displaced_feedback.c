@@ -26,9 +26,9 @@ typedef struct {
 typedef struct {
     Material divide;
     GLuint buffers[2], arrays[2];
-    size_t room[2]; /* capacity of the buffers in triangles */
-    int from;       /* index of the buffer that was written last */
-    double eye[3];  /* eye for which triangles were divided */
+    size_t capacity[2]; /* capacity of the buffers in triangles */
+    int from;           /* index of the buffer that was written last */
+    double eye[3];      /* eye for which triangles were divided */
 } Feedback;
 
 static bool there(const GlContext *gl)
@@ -156,7 +156,7 @@ static void forget(Displaced *d)
 
 static void reserve(const GlContext *gl, Feedback *own, int buffer, size_t triangles)
 {
-    own->room[buffer] = triangles;
+    own->capacity[buffer] = triangles;
     gl->BindBuffer(GL_ARRAY_BUFFER, own->buffers[buffer]);
     gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(3 * triangles * sizeof(Divided)), NULL,
                    GL_DYNAMIC_DRAW);
@@ -179,7 +179,7 @@ static int begin_with_patches(const Displaced *d, Feedback *own)
     if (!vertices)
         return -1;
     own->from = 0;
-    if (own->room[0] < (size_t)count)
+    if (own->capacity[0] < (size_t)count)
         reserve(gl, own, 0, (size_t)count);
     gl->BindBuffer(GL_ARRAY_BUFFER, own->buffers[0]);
     gl->BufferSubData(GL_ARRAY_BUFFER, 0, (GLsizeiptr)(3 * (size_t)count * sizeof *vertices),
@@ -206,7 +206,7 @@ static int divide_once(const GlContext *gl, Feedback *own, int count)
     material_use(&own->divide);
     gl->BindVertexArray(own->arrays[own->from]);
     gl->BindBufferRange(GL_TRANSFORM_FEEDBACK_BUFFER, 0, own->buffers[!own->from], 0,
-                        (GLsizeiptr)(3 * own->room[!own->from] * sizeof(Divided)));
+                        (GLsizeiptr)(3 * own->capacity[!own->from] * sizeof(Divided)));
     gl->BeginQuery(GL_PRIMITIVES_GENERATED, query);
     gl->BeginTransformFeedback(GL_TRIANGLES);
     draw_triangles(gl, count);
@@ -225,10 +225,10 @@ static int divide_all(Displaced *d, Feedback *own, int count)
     for (int step = 0, made; step < steps; step++) {
         material_set_number(&own->divide, "displace_last", step == steps - 1);
         const size_t four = 4 * (size_t)count < TRIANGLES ? 4 * (size_t)count : TRIANGLES;
-        if (own->room[!own->from] < four)
+        if (own->capacity[!own->from] < four)
             reserve(gl, own, !own->from, four);
         while ((made = divide_once(gl, own, count)) > TRIANGLES ||
-               (size_t)made > own->room[!own->from]) {
+               (size_t)made > own->capacity[!own->from]) {
             if (made > TRIANGLES)
                 return -1;
             reserve(gl, own, !own->from, (size_t)made);

@@ -64,16 +64,16 @@ static int tessellate(Displaced *d, const int first[SCENE_PATCH_PARTS + 2], cons
  * of 3 n, 3 (n - 2), ... quads. */
 static bool write_tessellated(Displaced *d, const int first[SCENE_PATCH_PARTS + 2], Mesh *mesh)
 {
-    int room, made = 1; /* at least 1: a buffer cannot be empty */
+    int capacity, made = 1; /* at least 1: a buffer cannot be empty */
     for (int n = 1; n <= SCENE_PATCH_PARTS; n++)
         made += (first[n + 1] - first[n]) * (3 * n * n / 2 + 2);
     do {
-        room = made;
-        displaced_reserve(d, mesh, 0, 3 * (size_t)room * sizeof(MeshCaptured));
+        capacity = made;
+        displaced_reserve(d, mesh, 0, 3 * (size_t)capacity * sizeof(MeshCaptured));
         made = tessellate(d, first, mesh);
         if (made < 0)
             return false;
-    } while (made > room);
+    } while (made > capacity);
     return displaced_unshared(d, mesh, made);
 }
 

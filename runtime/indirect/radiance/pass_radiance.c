@@ -119,7 +119,7 @@ static GLuint number_nodes(Renderer *renderer)
     const GlContext *gl = renderer->gl;
     FrameRadiance *radiance = renderer->radiance;
     const size_t size = (size_t)radiance->size;
-    const GLuint head[RADIANCE_HEAD] = {[RADIANCE_ROOM] = radiance->room};
+    const GLuint head[RADIANCE_HEAD] = {[RADIANCE_CAPACITY] = radiance->capacity};
     GLuint counted[RADIANCE_HEAD] = {0};
     gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, radiance->faces);
     gl->BufferSubData(GL_SHADER_STORAGE_BUFFER, 0, sizeof head, head);
@@ -145,9 +145,9 @@ static void find_nodes(Renderer *renderer)
         bind(renderer);
         draw_surfaces(renderer, STEP_sides);
         radiance->count = number_nodes(renderer);
-        if (radiance->count <= radiance->room)
+        if (radiance->count <= radiance->capacity)
             return;
-        if (radiance_make_room(renderer, radiance->count)) {
+        if (radiance_make_capacity(renderer, radiance->count)) {
             number_nodes(renderer);
             return;
         }

@@ -133,7 +133,7 @@ static void make_texture(const GlContext *gl, GLenum format, GLuint buffer, GLui
 }
 
 /* The driver limits both the buffer's size and that of a texture on it. */
-bool radiance_make_room(Renderer *renderer, GLuint nodes)
+bool radiance_make_capacity(Renderer *renderer, GLuint nodes)
 {
     const size_t texels = (size_t)nodes * (size_t)radiance_texels(renderer),
                  floats = texels * FLOATS;
@@ -148,7 +148,7 @@ bool radiance_make_room(Renderer *renderer, GLuint nodes)
     fill(renderer->gl, radiance->nodes, words * sizeof(GLuint));
     fill(renderer->gl, radiance->kept, floats * sizeof(float));
     make_texture(renderer->gl, GL_RGBA32F, radiance->kept, &radiance->kept_texels);
-    radiance->room = nodes;
+    radiance->capacity = nodes;
     return true;
 }
 
@@ -166,7 +166,7 @@ static bool make_buffers(Renderer *renderer)
     gl->GenFramebuffers(1, &radiance->framebuffer);
     fill(gl, radiance->faces, (RADIANCE_HEAD + size * size * size) * sizeof(GLuint));
     make_texture(gl, GL_R32UI, radiance->faces, &radiance->faces_words);
-    radiance_make_room(renderer, (GLuint)(RADIANCE_SIDES * size * size));
+    radiance_make_capacity(renderer, (GLuint)(RADIANCE_SIDES * size * size));
     return gl_check(renderer->gl, "making room for cached radiance");
 }
 

@@ -41,7 +41,7 @@ struct FrameRadiance {
     /* Voxels along an edge: the map's size, at most RADIANCE_SIZE_MAX, halved until the nodes
      * fit into the buffers. */
     int size;
-    GLuint room; /* capacity of the buffers in nodes */
+    GLuint capacity; /* capacity of the buffers in nodes */
     GLuint count;
     bool drawn; /* the buffers hold the current scene */
 };
@@ -55,7 +55,7 @@ bool radiance_needed(const Renderer *renderer);
 /* Makes programs and buffers. radiance.c */
 bool radiance_make(Renderer *renderer);
 /* Allocates buffers for a number of nodes. False if the driver's limits forbid that size. */
-bool radiance_make_room(Renderer *renderer, GLuint nodes);
+bool radiance_make_capacity(Renderer *renderer, GLuint nodes);
 /* Fills `casts`; call after objects have moved. */
 void radiance_sort(Renderer *renderer);
 int radiance_texels(const Renderer *renderer); /* texels per node in the buffer light */

@@ -17,7 +17,7 @@ void main()
     if (sides == 0u) return;
     uint node = atomicAdd(radiance_count, count);
     radiance_faces[voxel] = sides;
-    if (node + count > radiance_room) return;
+    if (node + count > radiance_capacity) return;
     radiance_faces[voxel] = node << 6 | sides;
     for (; sides != 0u; sides &= sides - 1u, node++) {
         radiance_nodes[node * uint(radiance_stride)] = voxel << 3 | uint(findLSB(sides));

@@ -176,8 +176,9 @@ static bool make_masks(Mask masks[VIEWS])
 bool displacement_silhouettes(GlContext *gl)
 {
     Mask truth[VIEWS] = {{NULL, 0, 0}}, masks[VIEWS] = {{NULL, 0, 0}};
-    const bool room[2] = {make_masks(truth), make_masks(masks)};
-    bool fine = room[0] && room[1] && draw(gl, "method: traced, triangles: 250000", false, truth);
+    const bool capacity[2] = {make_masks(truth), make_masks(masks)};
+    bool fine =
+        capacity[0] && capacity[1] && draw(gl, "method: traced, triangles: 250000", false, truth);
     if (fine)
         printf("\nsilhouettes of an asteroid in %d x %d pixels: triangles, pixels for each that is "
                "turned to the "

@@ -11,7 +11,7 @@
 #include <string.h>
 #include <wchar.h>
 
-enum { ROOM = 64 };
+enum { CAPACITY = 64 };
 
 /* Length of the character, by the numbers: its first byte says how many more there are, six bits
  * each; the character must need that many, and be one of Unicode's. 0: none. */
@@ -50,10 +50,10 @@ static void replace_bad(const char *string, char *to)
 /* Characters that a terminal takes for commands, by Unicode's category Cc. */
 static bool has_control(const char *text)
 {
-    wchar_t wide[8 * ROOM];
+    wchar_t wide[8 * CAPACITY];
     mbstate_t state = {0};
-    size_t size = mbsrtowcs(wide, &text, 8 * ROOM, &state);
-    assert_true(size < 8 * ROOM);
+    size_t size = mbsrtowcs(wide, &text, 8 * CAPACITY, &state);
+    assert_true(size < 8 * CAPACITY);
     for (size_t i = 0; i < size; i++)
         if (wide[i] < 0x20 || (wide[i] >= 0x7F && wide[i] < 0xA0))
             return true;
@@ -62,7 +62,7 @@ static bool has_control(const char *text)
 
 static void check_string(Arena *arena, const char *string)
 {
-    char expected[4 * ROOM];
+    char expected[4 * CAPACITY];
     Text text = text_new(arena);
     json_string(&text, string);
     replace_bad(string, expected);
@@ -136,7 +136,7 @@ static void test_documents(void **state)
     matc_options_init(&options);
     options.validate = false;
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
-        char expected[4 * ROOM];
+        char expected[4 * CAPACITY];
         static const char fine[] = "material: Phong\n", wrong[] = "material: \"\\e\\x9b\\x1f\"\n";
         replace_bad(names[i], expected);
         MatcDocument *document = matc_read(names[i], fine, strlen(fine), &options);
@@ -156,7 +156,7 @@ static void test_documents(void **state)
             strstr(cJSON_GetObjectItem(json->child, "message")->valuestring, "\x1B\xC2\x9B\x1F"));
         cJSON_Delete(json);
         for (const char *at = matc_diagnostics(document, MATC_TEXT), *end; *at; at = end + 1) {
-            char line[ROOM * 8];
+            char line[CAPACITY * 8];
             end = strchr(at, '\n');
             snprintf(line, sizeof line, "%.*s", (int)(end - at), at);
             assert_false(has_control(line));

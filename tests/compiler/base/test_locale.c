@@ -128,8 +128,8 @@ static void report_words(FILE *out)
 static char *everything(const char *folder)
 {
     char *all = NULL;
-    size_t room;
-    FILE *out = open_memstream(&all, &room);
+    size_t capacity;
+    FILE *out = open_memstream(&all, &capacity);
     for (int i = 0; i < found.count; i++) {
         size_t size;
         const char *why;

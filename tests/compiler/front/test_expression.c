@@ -19,7 +19,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { FORMULAS = 4000 / SANITIZED_STEP, DEPTH = 4, ROOM = 1 << 15, LEAVES = 11 };
+enum { FORMULAS = 4000 / SANITIZED_STEP, DEPTH = 4, CAPACITY = 1 << 15, LEAVES = 11 };
 
 typedef struct Branch Branch;
 struct Branch {
@@ -217,7 +217,7 @@ typedef struct {
 typedef struct {
     Score *score;
     const char *text;
-    Number exact[3], room[3];
+    Number exact[3], capacity[3];
     Surface surface;
     double inputs[INPUT_COUNT][4];
 } Trial;
@@ -225,7 +225,7 @@ typedef struct {
 static void compare(const Trial *t, const char *who, const double *found)
 {
     for (int i = 0; i < 3; i++) {
-        if (fabsl(t->exact[i] - found[i]) <= t->room[i])
+        if (fabsl(t->exact[i] - found[i]) <= t->capacity[i])
             continue;
         t->score->faults++;
         print_error("%s: %s lane %d is %.17g, not %.17Lg\n", t->text, who, i, found[i],
@@ -267,11 +267,12 @@ static bool find_truth(Trial *t, const Branch *tree)
         compute(tree, 1e-14L, own);
         as_color(own, tree->width, off);
         for (int i = 0; i < 3; i++)
-            t->room[i] = fmaxl(t->room[i], 50 * fabsl(off[i] - t->exact[i]) +
-                                               1e-13L * fmaxl(1, fabsl(t->exact[i])));
+            t->capacity[i] = fmaxl(t->capacity[i], 50 * fabsl(off[i] - t->exact[i]) +
+                                                       1e-13L * fmaxl(1, fabsl(t->exact[i])));
     }
     for (int i = 0; i < 3; i++)
-        known &= t->room[i] < 1e-6L * fmaxl(1, fabsl(t->exact[i])) && fabsl(t->exact[i]) < 1e30L;
+        known &=
+            t->capacity[i] < 1e-6L * fmaxl(1, fabsl(t->exact[i])) && fabsl(t->exact[i]) < 1e30L;
     t->score->compared += known;
     t->score->left_out += !known;
     return known;
@@ -283,8 +284,8 @@ static void try_one(Score *s, const Branch *tree, const char *formula)
     static const char before[] = "material: Phong\nemissive: { map: Expression, is: '",
                       behind[] = "', with: { four: [.25, .5, .75, 1] } }\n";
     Document d;
-    char *text = malloc(ROOM);
-    snprintf(text, ROOM, "%s%s%s", before, formula, behind);
+    char *text = malloc(CAPACITY);
+    snprintf(text, CAPACITY, "%s%s%s", before, formula, behind);
     if (!document_open_text(&d, text))
         fail_msg("%s: %s", formula, document_fault(&d));
     ReferenceContext noise = {.noise = REFERENCE_LATTICE};
@@ -315,7 +316,7 @@ static void random_formulas_are_what_mathematics_says(void **unused)
         Text text = text_new(&arena);
         const Branch *tree = make(&arena, 1 + (int)draw(4), 1 + (int)draw(DEPTH));
         print(&text, tree, CHOOSE - 1, false);
-        if (text.size < ROOM / 2)
+        if (text.size < CAPACITY / 2)
             try_one(&score, tree, text.at);
         arena_free(&arena);
     }

@@ -321,23 +321,23 @@ static void hostile_texts_end(void **state)
 static void long_formulas_are_read(void **state)
 {
     (void)state;
-    enum { COUNT = 8000, ROOM = 65536 };
-    char *text = malloc(ROOM);
+    enum { COUNT = 8000, CAPACITY = 65536 };
+    char *text = malloc(CAPACITY);
     size_t size = 0;
     for (int i = 0; i < COUNT; i++)
-        size += (size_t)snprintf(text + size, ROOM - size, "u+");
-    snprintf(text + size, ROOM - size, "0");
+        size += (size_t)snprintf(text + size, CAPACITY - size, "u+");
+    snprintf(text + size, CAPACITY - size, "0");
     is_near(text, .25 * COUNT);
     size = 0;
     for (int i = 0; i < 2000; i++)
-        size += (size_t)snprintf(text + size, ROOM - size, i ? "a%d=a%d+a%d*0;" : "a%d=1;", i,
+        size += (size_t)snprintf(text + size, CAPACITY - size, i ? "a%d=a%d+a%d*0;" : "a%d=1;", i,
                                  i - 1, i - 1);
-    snprintf(text + size, ROOM - size, "a1999");
+    snprintf(text + size, CAPACITY - size, "a1999");
     is_near(text, 1);
     size = 0;
     for (int i = 0; i < 5000; i++)
-        size += (size_t)snprintf(text + size, ROOM - size, "u>v?0:");
-    snprintf(text + size, ROOM - size, "3");
+        size += (size_t)snprintf(text + size, CAPACITY - size, "u>v?0:");
+    snprintf(text + size, CAPACITY - size, "3");
     is_near(text, 3);
     size = 0;
     for (int i = 0; i < 20000; i++)

@@ -5,7 +5,7 @@
 #include "tests/sanitized.h"
 #include "tests/compile_text.h"
 
-enum { ROOM = 1 << 21, PIECES = 40, ROUNDS = 400 / SANITIZED_STEP };
+enum { CAPACITY = 1 << 21, PIECES = 40, ROUNDS = 400 / SANITIZED_STEP };
 
 /* The document with the formula; its bytes as a JSON string. */
 static char *document_of(const char *formula)
@@ -139,11 +139,11 @@ static void what_grows(void **state)
     (void)state;
     static const char *const forms[] = {"a%d=a%d+a%d;", "a%d=a%d*a%d;", "a%d=sin(a%d)*a%d;",
                                         "a%d=a%d>0?a%d:1;", "a%d=hypot(a%d,a%d);"};
-    char *text = malloc(ROOM);
+    char *text = malloc(CAPACITY);
     for (size_t form = 0; form < sizeof forms / sizeof *forms; form++) {
         size_t size = (size_t)sprintf(text, "a0=u;");
         for (int i = 1; i < 1000 / SANITIZED_STEP; i++)
-            size += (size_t)snprintf(text + size, ROOM - size, forms[form], i, i - 1, i - 1);
+            size += (size_t)snprintf(text + size, CAPACITY - size, forms[form], i, i - 1, i - 1);
         sprintf(text + size, "a%d", 1000 / SANITIZED_STEP - 1);
         attack(text);
     }

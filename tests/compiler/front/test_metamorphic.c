@@ -39,7 +39,7 @@ static void side_open(Side *s, const char *text, Slot slot)
     s->options.read_file = generate_file;
     s->session = (Session){.options = &s->options, .arena = &s->arena, .check = true};
     Source source = {.name = "same.yaml", .text = text, .size = strlen(text)};
-    ARENA_PUSH(&s->arena, s->session.sources, s->session.source_count, s->session.source_room,
+    ARENA_PUSH(&s->arena, s->session.sources, s->session.source_count, s->session.source_capacity,
                source);
     s->graph = compile_front(&s->session, 0, &tree);
     if (!s->graph || s->session.diags.errors)

@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { TEXT_ROOM = 512, NAME_ROOM = 128, MEASURED = 160 /* parameters with a unit */ };
+enum { TEXT_CAPACITY = 512, NAME_CAPACITY = 128, MEASURED = 160 /* parameters with a unit */ };
 
 /* Parameters of one unit; `*` stands for every material. */
 typedef struct {
@@ -78,7 +78,7 @@ static bool lists(const UnitGroup *group, int param)
 {
     const KindRow *kind = &kind_table[param_table[param].kind];
     const bool material = section_of(param_table[param].kind) == SECTION_material;
-    char exact[NAME_ROOM], any[NAME_ROOM];
+    char exact[NAME_CAPACITY], any[NAME_CAPACITY];
     snprintf(exact, sizeof exact, " %s.%s ", kind->name, param_table[param].name);
     snprintf(any, sizeof any, " *.%s ", param_table[param].name);
     return strstr(group->params, exact) || (material && strstr(group->params, any));
@@ -97,22 +97,22 @@ static const UnitGroup *group_of(int param)
 }
 
 /* A document in which the parameter has that number. */
-static void write_document(char text[TEXT_ROOM], const KindRow *kind, const char *param,
+static void write_document(char text[TEXT_CAPACITY], const KindRow *kind, const char *param,
                            const char *number)
 {
     if (section_of((Kind)(kind - kind_table)) == SECTION_material)
-        snprintf(text, TEXT_ROOM, "material: %s\n%s: %s\n", kind->name, param, number);
+        snprintf(text, TEXT_CAPACITY, "material: %s\n%s: %s\n", kind->name, param, number);
     else if (!strcmp(param, "rotation"))
-        snprintf(text, TEXT_ROOM,
+        snprintf(text, TEXT_CAPACITY,
                  "material: Phong\n"
                  "diffuse: { map: Wood, input: { map: XYZTransform, transform: { rotation: [0, %s, "
                  "0] } } }\n",
                  number);
     else if (!strcmp(kind->name, "HSV"))
-        snprintf(text, TEXT_ROOM, "material: Phong\ndiffuse: { map: HSV, input: red, %s: %s }\n",
-                 param, number);
+        snprintf(text, TEXT_CAPACITY,
+                 "material: Phong\ndiffuse: { map: HSV, input: red, %s: %s }\n", param, number);
     else
-        snprintf(text, TEXT_ROOM,
+        snprintf(text, TEXT_CAPACITY,
                  "material: Phong\ndiffuse: { map: Checker, input: { map: %s, %s: %s } }\n",
                  kind->name, param, number);
 }
@@ -120,9 +120,9 @@ static void write_document(char text[TEXT_ROOM], const KindRow *kind, const char
 /* How often the number is said to be unusual, and the last such message, of a number printed as it
  * reads back. */
 static int count_unusual(const KindRow *kind, const char *param, double number,
-                         char message[TEXT_ROOM])
+                         char message[TEXT_CAPACITY])
 {
-    char text[TEXT_ROOM], digits[NAME_ROOM];
+    char text[TEXT_CAPACITY], digits[NAME_CAPACITY];
     MatcOptions options;
     int count = 0;
     matc_options_init(&options);
@@ -136,7 +136,7 @@ static int count_unusual(const KindRow *kind, const char *param, double number,
         const char *name = cJSON_GetStringValue(cJSON_GetObjectItem(diagnostic, "kind"));
         if (!name || strcmp(name, "unusual_number") != 0)
             continue;
-        snprintf(message, TEXT_ROOM, "%s",
+        snprintf(message, TEXT_CAPACITY, "%s",
                  cJSON_GetStringValue(cJSON_GetObjectItem(diagnostic, "message")));
         count++;
     }
@@ -150,7 +150,7 @@ static int count_unusual(const KindRow *kind, const char *param, double number,
 static void assert_message(const char *message, const char *param, const UnitGroup *group,
                            double number)
 {
-    char begin[TEXT_ROOM], end[TEXT_ROOM], *rest;
+    char begin[TEXT_CAPACITY], end[TEXT_CAPACITY], *rest;
     snprintf(begin, sizeof begin, "%s is ", param);
     assert_int_equal(strncmp(message, begin, strlen(begin)), 0);
     assert_true(strtod(message + strlen(begin), &rest) == number);
@@ -162,7 +162,7 @@ static void assert_message(const char *message, const char *param, const UnitGro
 static void assert_borders(const KindRow *kind, const char *param, const UnitGroup *group)
 {
     const double ends[] = {group->low, group->high}, beyond[] = {-INFINITY, INFINITY};
-    char message[TEXT_ROOM];
+    char message[TEXT_CAPACITY];
     for (int end = 0; end < 2; end++) {
         if (count_unusual(kind, param, ends[end], message))
             fail_msg("%s: %s", kind->name, message);
@@ -177,7 +177,7 @@ static void assert_borders(const KindRow *kind, const char *param, const UnitGro
 static void assert_silent(const KindRow *kind, const char *param)
 {
     static const double numbers[] = {-1e5, -1, 0, 1, 1e5};
-    char message[TEXT_ROOM];
+    char message[TEXT_CAPACITY];
     for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++)
         if (count_unusual(kind, param, numbers[i], message))
             fail_msg("%s: %s", kind->name, message);
@@ -252,7 +252,7 @@ static void numbers_of_other_units_are_converted(void **state)
     (void)state;
     for (size_t i = 0; i < sizeof hints / sizeof *hints; i++) {
         const Hint *hint = &hints[i];
-        char message[TEXT_ROOM];
+        char message[TEXT_CAPACITY];
         int kind = 0;
         while (kind < KIND_COUNT && strcmp(kind_table[kind].name, hint->kind) != 0)
             kind++;

@@ -9,42 +9,42 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { SIDE = 32, ROOM = 1 << 14 }; /* a column a slot, a row a case */
+enum { SIDE = 32, CAPACITY = 1 << 14 }; /* a column a slot, a row a case */
 
 /* first[] and last[]: a word of each case. */
 static size_t put_words(char *text, const LayoutRow *row, const char *name, int target,
                         int component)
 {
     size_t size =
-        (size_t)snprintf(text, ROOM, "const uint %s[%d] = uint[](", name, row->case_count);
+        (size_t)snprintf(text, CAPACITY, "const uint %s[%d] = uint[](", name, row->case_count);
     for (int i = 0; i < row->case_count; i++)
-        size += (size_t)snprintf(text + size, ROOM - size, "%s%.0fu", i ? ", " : "",
+        size += (size_t)snprintf(text + size, CAPACITY - size, "%s%.0fu", i ? ", " : "",
                                  layout_case_code(row, i, target, component));
-    return size + (size_t)snprintf(text + size, ROOM - size, ");\n");
+    return size + (size_t)snprintf(text + size, CAPACITY - size, ");\n");
 }
 
-static void put_body(char text[ROOM], const LayoutRow *row)
+static void put_body(char text[CAPACITY], const LayoutRow *row)
 {
     static const char *const fill[] = {"", ", vec3(0.0)", ", vec2(0.0)", ", 0.0", ""};
     const int last = layout_targets(row) - 1;
     size_t size = put_words(text, row, "first", 0, 0);
     size += put_words(text + size, row, "last", last, 3);
     size += (size_t)snprintf(
-        text + size, ROOM - size,
+        text + size, CAPACITY - size,
         "vec4 passPixel(ivec2 p) {\n    int i = min(p.y, %d);\n    Surface s = unpackTexels(",
         row->case_count - 1);
     for (int target = 0; target <= last; target++)
-        size += (size_t)snprintf(text + size, ROOM - size, "%suvec4(%s, 0u, 0u, %s)",
+        size += (size_t)snprintf(text + size, CAPACITY - size, "%suvec4(%s, 0u, 0u, %s)",
                                  target ? ", " : "", target ? "0u" : "first[i]",
                                  target == last ? "last[i]" : "0u");
-    size += (size_t)snprintf(text + size, ROOM - size, ");\n");
+    size += (size_t)snprintf(text + size, CAPACITY - size, ");\n");
     for (int slot = 0; slot < SLOT_COUNT; slot++)
         if (layout_has_slot(row, (Slot)slot))
             size += (size_t)snprintf(
-                text + size, ROOM - size, "    if (p.x == %d) return vec4(s.%s%s);\n", slot,
+                text + size, CAPACITY - size, "    if (p.x == %d) return vec4(s.%s%s);\n", slot,
                 slot_table[slot].name, fill[type_table[slot_table[slot].type].components]);
-    size += (size_t)snprintf(text + size, ROOM - size, "    return vec4(0.0);\n}\n");
-    assert_true(size < ROOM);
+    size += (size_t)snprintf(text + size, CAPACITY - size, "    return vec4(0.0);\n}\n");
+    assert_true(size < CAPACITY);
 }
 
 static void check_case(const LayoutRow *row, int number, float (*reported)[4])
@@ -71,7 +71,7 @@ static void cases_have_what_they_leave_out(void **state)
     static const char document[] = "material: Phong\n";
     static const Layout layouts[] = {LAYOUT_compact, LAYOUT_integer};
     static float reported[SIDE * SIDE][4];
-    static char body[ROOM];
+    static char body[CAPACITY];
     GlContext *gl = frame_context();
     for (int i = 0; i < 2; i++) {
         const LayoutRow *row = &layout_table[layouts[i]];
@@ -104,52 +104,54 @@ static size_t put_random_words(char *text, const LayoutRow *row, Choices *choice
     const int last = layout_targets(row) - 1;
     size_t size = 0;
     for (int i = 0; i < 4 * (last + 1); i++) {
-        size += (size_t)snprintf(text + size, ROOM - size, "const uint words_%d_%d[%d] = uint[](",
-                                 i / 4, i % 4, row->case_count);
+        size +=
+            (size_t)snprintf(text + size, CAPACITY - size, "const uint words_%d_%d[%d] = uint[](",
+                             i / 4, i % 4, row->case_count);
         for (int number = 0; number < row->case_count; number++) {
             uint32_t word = (uint32_t)(choose_part(choices) * 65536) << 16 |
                             (uint32_t)(choose_part(choices) * 65536);
             word = i == 0 ? word >> CODE_BITS << CODE_BITS : word;
             word = i == 4 * last + 3 ? word & 0x7FFFFFFFu : word;
             word |= (uint32_t)layout_case_code(row, number, i / 4, i % 4);
-            size += (size_t)snprintf(text + size, ROOM - size, "%s%uu", number ? ", " : "", word);
+            size +=
+                (size_t)snprintf(text + size, CAPACITY - size, "%s%uu", number ? ", " : "", word);
         }
-        size += (size_t)snprintf(text + size, ROOM - size, ");\n");
+        size += (size_t)snprintf(text + size, CAPACITY - size, ");\n");
     }
     return size;
 }
 
-static void put_random_body(char text[ROOM], const LayoutRow *row)
+static void put_random_body(char text[CAPACITY], const LayoutRow *row)
 {
     static const char *const fill[] = {"", ", vec3(0.0)", ", vec2(0.0)", ", 0.0", ""};
     Choices choices;
     choices_random(&choices, 7, (uint64_t)row->case_count); /* the same words whatever is read */
     size_t size = put_random_words(text, row, &choices);
     size += (size_t)snprintf(
-        text + size, ROOM - size,
+        text + size, CAPACITY - size,
         "vec4 passPixel(ivec2 p) {\n    int i = min(p.y, %d);\n    Surface s = unpackTexels(",
         row->case_count - 1);
     for (int target = 0; target < layout_targets(row); target++)
         size +=
-            (size_t)snprintf(text + size, ROOM - size,
+            (size_t)snprintf(text + size, CAPACITY - size,
                              "%suvec4(words_%d_0[i], words_%d_1[i], words_%d_2[i], words_%d_3[i])",
                              target ? ", " : "", target, target, target, target);
-    size += (size_t)snprintf(text + size, ROOM - size, ");\n");
+    size += (size_t)snprintf(text + size, CAPACITY - size, ");\n");
     for (int slot = 0; slot < SLOT_COUNT; slot++)
         size += (size_t)snprintf(
-            text + size, ROOM - size,
+            text + size, CAPACITY - size,
             "#ifdef SURFACE_HAS_%s\n    if (p.x == %d) return vec4(s.%s%s);\n#endif\n",
             slot_table[slot].name, slot, slot_table[slot].name,
             fill[type_table[slot_table[slot].type].components]);
-    size += (size_t)snprintf(text + size, ROOM - size, "    return vec4(%d.0);\n}\n", ABSENT);
-    assert_true(size < ROOM);
+    size += (size_t)snprintf(text + size, CAPACITY - size, "    return vec4(%d.0);\n}\n", ABSENT);
+    assert_true(size < CAPACITY);
 }
 
 /* Slots, by column, of random words of each case, by row, as the text for these cases has them. */
 static void read_cases(GlContext *gl, const LayoutRow *row, unsigned cases, float (*reported)[4])
 {
     static const char document[] = "material: Phong\n";
-    static char body[ROOM];
+    static char body[CAPACITY];
     MatcOptions options;
     matc_options_init(&options);
     options.layout = row->name;

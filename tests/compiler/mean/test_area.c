@@ -77,7 +77,7 @@ static void open_map(Test *t)
     t->session =
         (Session){.options = &t->options, .arena = &t->arena, .optimize = 2, .check = true};
     Source source = {.name = "area.yaml", .text = text, .size = (size_t)size};
-    ARENA_PUSH(&t->arena, t->session.sources, t->session.source_count, t->session.source_room,
+    ARENA_PUSH(&t->arena, t->session.sources, t->session.source_count, t->session.source_capacity,
                source);
     Graph *graph = compile_front(&t->session, 0, &tree);
     if (!graph || t->session.diags.errors)

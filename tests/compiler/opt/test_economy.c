@@ -105,9 +105,9 @@ static void mixed_sides_are_branches(void **state)
 static void mixes_of_mixes_are_asked_once(void **state)
 {
     (void)state;
-    enum { LEVELS = 40, ROOM = 16384 };
+    enum { LEVELS = 40, CAPACITY = 16384 };
     MatcOptions options = quick();
-    char document[ROOM];
+    char document[CAPACITY];
     size_t size = (size_t)snprintf(
         document, sizeof document,
         "defs:\n  k0: { material: RGBA }\n  j0: { material: Phong, shininess: 0.7 }\n");

@@ -5,7 +5,7 @@
 #include "tests/compile_text.h"
 #include "tests/draw/draw.h"
 
-enum { PLACES = 4, ROOM = 65536 };
+enum { PLACES = 4, CAPACITY = 65536 };
 static const float place_u[PLACES] = {0.25F, 0.5F, 0.75F, 1.25F};
 
 /* smoothstep(.4, .6, u) is 0, something between, 1 and 1 at the places; smoothstep(.8, 1, u) is 1
@@ -17,7 +17,7 @@ static const float place_u[PLACES] = {0.25F, 0.5F, 0.75F, 1.25F};
 static void add(char *text, const char *from, size_t size)
 {
     const size_t length = strlen(text);
-    assert_true(length + size < ROOM);
+    assert_true(length + size < CAPACITY);
     memcpy(text + length, from, size);
     text[length + size] = 0;
 }
@@ -57,7 +57,7 @@ static void count_in(const char *fragment, char *text)
 
 static void draw_counts(Drawer *drawer, const char *fragment, float rgba[PLACES * 4])
 {
-    static char text[ROOM];
+    static char text[CAPACITY];
     count_in(fragment, text);
     Shading shading = {.fragment = text, .target = TARGET_glsl330};
     Material material;

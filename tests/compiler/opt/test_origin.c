@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { TEXT_ROOM = 4096, KEY_ROOM = 64 };
+enum { TEXT_CAPACITY = 4096, KEY_CAPACITY = 64 };
 
 /* The program of the first material, from malloc; `key`, unless NULL, has its key. */
 static char *program_of(const char *name, const char *text, const char *target, char *key)
@@ -22,7 +22,7 @@ static char *program_of(const char *name, const char *text, const char *target, 
         fail_msg("%s\n%s%s", text, matc_diagnostics(document, MATC_TEXT),
                  matc_program_diagnostics(program, MATC_TEXT));
     if (key)
-        snprintf(key, KEY_ROOM, "%s", matc_key(program));
+        snprintf(key, KEY_CAPACITY, "%s", matc_key(program));
     char *fragment = strdup(matc_output(program, MATC_FRAGMENT, NULL));
     assert_non_null(fragment);
     matc_program_free(program);
@@ -130,7 +130,7 @@ static const char *const hostile[] = {
 
 static const char *document_with(const char *word)
 {
-    static char text[TEXT_ROOM];
+    static char text[TEXT_CAPACITY];
     snprintf(text, sizeof text,
              "defs:\n  \"%s\": &x { map: Granite }\nmaterial: Phong\nspecular: { param: shine, "
              "default: 0.5 }\n"
@@ -153,7 +153,7 @@ static void no_word_breaks_a_program(void **state)
 {
     static const char *const targets[] = {"glsl330", "glsl450", "glsl110", "essl300", "spirv"};
     (void)state;
-    char first[KEY_ROOM], key[KEY_ROOM];
+    char first[KEY_CAPACITY], key[KEY_CAPACITY];
     for (size_t target = 0; target < sizeof targets / sizeof *targets; target++)
         for (size_t i = 0; i < sizeof hostile / sizeof *hostile; i++) {
             char *fragment = program_of("a\\\nb\xC3\xA9.yaml", document_with(hostile[i]),

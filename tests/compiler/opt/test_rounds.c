@@ -123,7 +123,7 @@ static Ir *ir_for(Session *session, const char *text, Job *job)
 {
     Tree *tree;
     const Source source = {.name = "rounds.yaml", .text = text, .size = strlen(text)};
-    ARENA_PUSH(session->arena, session->sources, session->source_count, session->source_room,
+    ARENA_PUSH(session->arena, session->sources, session->source_count, session->source_capacity,
                source);
     assert_null(choice_job(session->options, job));
     const Graph *graph = compile_front(session, 0, &tree);

@@ -6,11 +6,11 @@
 #include <stdio.h>
 
 /* A fragment program that shows one input, and the side in its fourth component. */
-static void show_input(char *text, size_t room, bool core, Input input)
+static void show_input(char *text, size_t capacity, bool core, Input input)
 {
     const char *type = type_table[input_table[input].type].name, *name = input_table[input].glsl;
     snprintf(
-        text, room,
+        text, capacity,
         "#version %s\n%s %s %s;\n%svoid main() { %s = vec4(%s%s, gl_FrontFacing ? 1.0 : 0.0); }",
         core ? "330 core" : "110", core ? "in" : "varying", type, name, core ? "out vec4 c;\n" : "",
         core ? "c" : "gl_FragData[0]", name, input == INPUT_U ? ", 0.0" : "");

@@ -38,7 +38,7 @@ typedef struct {
     Run *run;
     Drawer core, compat;
     Drawn *memo;
-    int memo_count, memo_room;
+    int memo_count, memo_capacity;
     float scratch[2][POINT_COUNT * 4]; /* all of the target is read */
 } Worker;
 
@@ -131,9 +131,9 @@ typedef struct {
     bool changed; /* the uniforms are not their defaults */
 } Case;
 
-static void name_slot(const Case *c, char *text, size_t room)
+static void name_slot(const Case *c, char *text, size_t capacity)
 {
-    snprintf(text, room, "%s %s %s%s", document_name(c->subject->document),
+    snprintf(text, capacity, "%s %s %s%s", document_name(c->subject->document),
              matc_material_name(c->subject->document->document, c->subject->material),
              slot_table[c->slot].name, c->changed ? " with other uniforms" : "");
 }
@@ -222,9 +222,9 @@ static Drawn *remember(Worker *w, uint64_t hash)
     for (int i = 0; i < w->memo_count; i++)
         if (w->memo[i].hash == hash)
             return &w->memo[i];
-    if (w->memo_count == w->memo_room) {
-        w->memo_room = w->memo_room ? 2 * w->memo_room : 256;
-        w->memo = realloc(w->memo, (size_t)w->memo_room * sizeof *w->memo);
+    if (w->memo_count == w->memo_capacity) {
+        w->memo_capacity = w->memo_capacity ? 2 * w->memo_capacity : 256;
+        w->memo = realloc(w->memo, (size_t)w->memo_capacity * sizeof *w->memo);
         if (!w->memo)
             abort();
     }

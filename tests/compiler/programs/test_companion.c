@@ -13,7 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { TEXT_ROOM = 1 << 16 };
+enum { TEXT_CAPACITY = 1 << 16 };
 
 /* The unpacking code behind a #version, in front of a light pass that reads every member; with a
  * vertex program, both linked. */
@@ -58,7 +58,7 @@ static bool is_read(const LayoutRow *layout, Target target)
  * held to be highp, and what would be lowp without a word is found. */
 static bool samplers_are_exact(const LayoutRow *layout)
 {
-    char vertex[TEXT_ROOM];
+    char vertex[TEXT_CAPACITY];
     int size = snprintf(vertex, sizeof vertex, "#version 300 es\n");
     for (int i = 0; i < layout_targets(layout); i++)
         size += snprintf(vertex + size, sizeof vertex - (size_t)size,

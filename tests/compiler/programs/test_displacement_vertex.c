@@ -14,25 +14,25 @@ static const double drawn_bound = 4e-6;
 static double size_of(const double v[3]) { return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
 
 /* matc's vertex program, whose position is shown at a vertex's own pixel instead. */
-static void wrap(const char *vertex, char *text, size_t room)
+static void wrap(const char *vertex, char *text, size_t capacity)
 {
     const size_t line = strcspn(vertex, "\n") + 1;
     const int written =
-        snprintf(text, room,
+        snprintf(text, capacity,
                  "%.*s#define main matc_main\n%s#undef main\nout vec3 test_position;\nvoid main() "
                  "{\n    matc_main();\n"
                  "    test_position = matc_worldPosition;\n    int i = gl_VertexID;\n"
                  "    vec2 pixel = vec2(float(i %% 8 * 8 + 5), float(i / 8 * 8 + 3)) + 0.5;\n"
                  "    gl_Position = vec4(2.0 * pixel / %d.0 - 1.0, 0.0, 1.0);\n}\n",
                  (int)line, vertex, vertex + line, SIDE);
-    assert_true(written > 0 && (size_t)written < room);
+    assert_true(written > 0 && (size_t)written < capacity);
 }
 
 /* A vertex program of our own around the function that `--emit=displace` writes. */
-static void call(const char *displace, char *text, size_t room)
+static void call(const char *displace, char *text, size_t capacity)
 {
     const int written =
-        snprintf(text, room,
+        snprintf(text, capacity,
                  "#version 330 core\nin vec3 position, displacementNormal, displacementTangentU, "
                  "displacementTangentV;\nin vec2 displacementTexcoord;\n"
                  "%s\nout vec3 test_position;\nvoid main() {\n"
@@ -42,7 +42,7 @@ static void call(const char *displace, char *text, size_t room)
                  "8 * 8 + 3)) + 0.5;\n"
                  "    gl_Position = vec4(2.0 * pixel / %d.0 - 1.0, 0.0, 1.0);\n}\n",
                  displace, SIDE);
-    assert_true(written > 0 && (size_t)written < room);
+    assert_true(written > 0 && (size_t)written < capacity);
 }
 
 /* A document, one of its materials, and by which of its texts points are displaced. */

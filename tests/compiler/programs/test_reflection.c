@@ -64,12 +64,12 @@ static bool is_bound(const Fact *fact)
 /* Both programs of a pipeline share one set: no two resources are at one binding. */
 static void check_bindings(Test *t, const char *where)
 {
-    const Fact *seen[FACT_ROOM] = {NULL};
+    const Fact *seen[FACT_CAPACITY] = {NULL};
     const Facts *shaders[] = {&t->reported, &t->reported_vertex};
     for (int shader = 0; shader < 2; shader++)
         for (int i = 0; i < shaders[shader]->count; i++) {
             const Fact *fact = &shaders[shader]->at[i];
-            if (!is_bound(fact) || fact->place < 0 || fact->place >= FACT_ROOM)
+            if (!is_bound(fact) || fact->place < 0 || fact->place >= FACT_CAPACITY)
                 continue;
             if (seen[fact->place])
                 fault(t, where, "at a binding that another has", fact);

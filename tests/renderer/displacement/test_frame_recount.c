@@ -12,7 +12,7 @@ enum {
     WIDTH = 32,
     HEIGHT = 24,
     FAR_FRAGMENTS = 400,
-    ROOM = 4 * (4 + WIDTH * HEIGHT + 6 * FAR_FRAGMENTS)
+    CAPACITY = 4 * (4 + WIDTH * HEIGHT + 6 * FAR_FRAGMENTS)
 };
 
 /* Two boxes of glass, far away: some hundred fragments; from near by each fills the picture. */
@@ -58,7 +58,7 @@ static void more_are_counted(void **state)
     (void)state;
     static const RendererOptions ways[] = {{.transparency = "lists"},
                                            {.transparency = "peeling"},
-                                           {.transparency = NULL, .list_bytes = ROOM}};
+                                           {.transparency = NULL, .list_bytes = CAPACITY}};
     const MatcOptions compile = frame_exact_options();
     for (int i = 0; i < 6; i++) {
         MatcDocument *document;
@@ -98,7 +98,7 @@ static void lists_that_are_too_long(void **state)
         Scene *scene = frame_scene(far_away, &compile, &document);
         GlContext *gl = frame_context();
         const RendererOptions options = {
-            .compile = &compile, .list_bytes = ROOM, .transparency = insists ? "lists" : NULL};
+            .compile = &compile, .list_bytes = CAPACITY, .transparency = insists ? "lists" : NULL};
         Renderer *renderer = renderer_open(gl, &options);
         assert_true(renderer && renderer_set_scene(renderer, scene) && renderer_frame(renderer));
         assert_false(runs(renderer, "lists depth lists not run"));

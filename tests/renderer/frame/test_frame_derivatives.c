@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { PROGRAM_ROOM = 1 << 20 };
+enum { PROGRAM_CAPACITY = 1 << 20 };
 
 static struct {
     void (*source)(GLuint, GLsizei, const GLchar *const *, const GLint *);
@@ -23,7 +23,7 @@ static void take_source(GLuint shader, GLsizei count, const GLchar *const *piece
     int derivatives = 0;
     driver.text[0] = 0;
     for (int i = 0; i < count; i++)
-        strncat(driver.text, pieces[i], PROGRAM_ROOM - strlen(driver.text) - 1);
+        strncat(driver.text, pieces[i], PROGRAM_CAPACITY - strlen(driver.text) - 1);
     driver.source(shader, count, pieces, lengths);
     if (!strstr(driver.text, "dFd") && !strstr(driver.text, "fwidth") &&
         !strstr(driver.text, "texture("))
@@ -74,7 +74,7 @@ static void renderer_derives_unconditionally(void **state)
                 {"landscape.yaml", "shown", NULL},  {"bush.yaml", "shown", NULL},
                 {"vase.yaml", "shown", NULL},       {"solids.yaml", "positions", NULL},
                 {"displaced.yaml", "shown", NULL}};
-    driver.text = malloc(PROGRAM_ROOM);
+    driver.text = malloc(PROGRAM_CAPACITY);
     assert_non_null(driver.text);
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         char path[512];

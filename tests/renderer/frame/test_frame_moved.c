@@ -142,9 +142,9 @@ static void examples_are_moved(void **state)
     "objects:\n- { object: Sphere, transform: { translation: [%.17g, 0, 0] }, material: %s }\n"    \
     "- { object: Box, transform: { translation: [%.17g, 0, 1] }, material: %s }\n"
 
-static void put_pair(char *text, size_t room, double x, const char *material)
+static void put_pair(char *text, size_t capacity, double x, const char *material)
 {
-    snprintf(text, room, PAIR, x, x, x - 2, x, material, x + 1.5, material);
+    snprintf(text, capacity, PAIR, x, x, x - 2, x, material, x + 1.5, material);
 }
 
 static float *draw_pair(GlContext *gl, double x, const char *material)

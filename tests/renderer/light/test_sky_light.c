@@ -176,9 +176,9 @@ static double off_by(const float *light, const float *normals, const double spec
     return off / greatest;
 }
 
-static void put_scene(char *text, size_t room, const char *material, const char *sky)
+static void put_scene(char *text, size_t capacity, const char *material, const char *sky)
 {
-    snprintf(text, room,
+    snprintf(text, capacity,
              VIEW
              "lights: [{ light: Sky }]\nobjects: [{ object: Sphere, material: %s }]\nsky: %s\n",
              material, sky);

@@ -162,7 +162,7 @@ static bool graph_has(const Renderer *renderer, const char *line)
 
 /* Eight bytes a pixel for each of two lights. Nothing where none casts shadows, or the driver has
  * no images; then what varies casts none. */
-static void room(void **state)
+static void capacity(void **state)
 {
     (void)state;
     Drawn d = draw(&(RendererOptions){0});
@@ -244,6 +244,6 @@ int main(void)
                                        cmocka_unit_test(params),
                                        cmocka_unit_test(tiles),
                                        cmocka_unit_test(sides),
-                                       cmocka_unit_test(room)};
+                                       cmocka_unit_test(capacity)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -271,20 +271,20 @@ static void many_large(void **state)
     Things things = some_things(4000, .5), few = some_things(TRIANGLES, .5);
     Made made = open_made(32 * MOST);
     assert_true(make(&made, &scene, &few));
-    const size_t first = made.cover.room, blocks = made.cover.blocks;
+    const size_t first = made.cover.capacity, blocks = made.cover.blocks;
     assert_true(make(&made, &scene, &things));
-    assert_true(made.cover.room > first && made.cover.blocks > blocks && !made.cover.coarsened);
+    assert_true(made.cover.capacity > first && made.cover.blocks > blocks && !made.cover.coarsened);
     for (int i = 0; i < LIGHTS; i++)
         if (made.heads[i] >= 0)
             assert_true(count_met(&things, &made, i, 50) > 100);
-    const size_t room = made.cover.room;
+    const size_t capacity = made.cover.capacity;
     made.gl->DeleteBuffers(1, &made.cover.work); /* room for lists, and none for blocks */
     made.cover.work = 0;
     made.cover.blocks = 0;
     assert_true(make(&made, &scene, &things));
-    assert_true(made.cover.room == room && count_met(&things, &made, 5, 50) > 100);
+    assert_true(made.cover.capacity == capacity && count_met(&things, &made, 5, 50) > 100);
     assert_true(make(&made, &scene, &few));
-    assert_true(made.cover.room == room && made.cover.words <= first);
+    assert_true(made.cover.capacity == capacity && made.cover.words <= first);
     assert_true(count_met(&few, &made, 0, POINTS) > 100);
     close_made(&made);
     free_things(&things);
@@ -293,7 +293,7 @@ static void many_large(void **state)
 
 /* With less room cells are wider, and the lists are as complete; with too little, it is said how
  * much there has to be. */
-static void less_room(void **state)
+static void less_capacity(void **state)
 {
     (void)state;
     Things things = some_things(TRIANGLES, .001);
@@ -328,7 +328,7 @@ int main(int count, char **arguments)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(all_are_listed), cmocka_unit_test(cells),
-        cmocka_unit_test(many_large),     cmocka_unit_test(less_room),
+        cmocka_unit_test(many_large),     cmocka_unit_test(less_capacity),
         cmocka_unit_test(of_nothing),
     };
     kind = frame_kind(count, arguments);

@@ -101,7 +101,7 @@ static void products_in_parts(void **state)
 /* Memory of a pane as wide as the map, except three texels of 16 on each side: 144 texels in 12
  * rows see it, or only some of them. 32 bytes, 4 a texel, 16 a fragment: a row of 12 takes 288, and
  * a texel 52. */
-static void room(void **state)
+static void capacity(void **state)
 {
     (void)state;
     static const struct {
@@ -192,7 +192,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(products),
         cmocka_unit_test(products_in_parts),
-        cmocka_unit_test(room),
+        cmocka_unit_test(capacity),
         cmocka_unit_test(lacks_are_reported),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -27,11 +27,11 @@ static void random_panes(Pane *panes, int count)
 }
 
 /* Panes at z = count, count - 1, ..., which emit light, before a sky, in an order that is mixed. */
-static void write_panes(const Pane *panes, int count, char *text, size_t room)
+static void write_panes(const Pane *panes, int count, char *text, size_t capacity)
 {
     int order[MAX_LAYERS];
     size_t size = (size_t)snprintf(
-        text, room,
+        text, capacity,
         "image: { width: 8, height: 8 }\ncamera: { camera: Perspective, position: [0, 0, "
         "60], up: [0, 1, 0], angle: 30 }\n"
         "sky: { material: RGBA, r: .25, g: .5, b: .75 }\nobjects:\n");
@@ -44,7 +44,7 @@ static void write_panes(const Pane *panes, int count, char *text, size_t room)
     }
     for (int i = 0; i < count; i++) {
         const Pane *p = &panes[order[i]];
-        size += (size_t)snprintf(text + size, room - size,
+        size += (size_t)snprintf(text + size, capacity - size,
                                  "- { object: Parallelogram, u: [80, 0, 0], v: [0, 80, 0], "
                                  "transform: { translation: [-40, -40, %d] }, "
                                  "material: "
@@ -407,7 +407,7 @@ static void scenes_are_the_reference_by_all_ways(void **state)
 
 /* -- what there is no room for */
 
-static void room(void **state)
+static void capacity(void **state)
 {
     (void)state;
     static const struct {
@@ -457,7 +457,7 @@ int main(void)
         cmocka_unit_test(lists_hold_words_of_each_format),
         cmocka_unit_test(none_of_equal_depth_is_lost),
         cmocka_unit_test(scenes_are_the_reference_by_all_ways),
-        cmocka_unit_test(room),
+        cmocka_unit_test(capacity),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);
 }

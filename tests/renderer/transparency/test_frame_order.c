@@ -14,10 +14,10 @@ enum { PANES = 21, LAYERS = 96, SIDE = 24, COMPONENTS = SIDE * SIDE * 4 };
  * among them. */
 static int height_of(int pane) { return pane * 8 % PANES / 2 * 2 - pane * 8 % PANES / 16; }
 
-static void write_scene(char *text, size_t room)
+static void write_scene(char *text, size_t capacity)
 {
     size_t size = (size_t)snprintf(
-        text, room,
+        text, capacity,
         "image: { width: %d, height: %d }\ncamera: { camera: Perspective, position: [0, 0, 60], "
         "up: [0, 1, 0], angle: "
         "40 }\n"
@@ -29,7 +29,7 @@ static void write_scene(char *text, size_t room)
         SIDE, SIDE);
     for (int i = 0; i < PANES; i++)
         size += (size_t)snprintf(
-            text + size, room - size,
+            text + size, capacity - size,
             "- { object: Parallelogram, u: [20, 0, %d], v: [0, 20, 0], material: clear, "
             "transform: { translation: [-10, -10, %d] } }\n",
             i % 5 == 4 ? 9 : 0, height_of(i));
@@ -99,10 +99,10 @@ static void farthest_first(void **state)
 
 /* Panes of two sizes, in turns, are two groups: a pixel's list is then two runs of half as many,
  * each in order, in which every fragment of one stands between two of the other. */
-static void write_turns(char *text, size_t room)
+static void write_turns(char *text, size_t capacity)
 {
     size_t size = (size_t)snprintf(
-        text, room,
+        text, capacity,
         "image: { width: %d, height: %d }\ncamera: { camera: Perspective, position: [0, 0, 60], "
         "up: [0, 1, 0], angle: "
         "40 }\n"
@@ -114,7 +114,7 @@ static void write_turns(char *text, size_t room)
         SIDE, SIDE);
     for (int i = 0; i < LAYERS; i++)
         size += (size_t)snprintf(
-            text + size, room - size,
+            text + size, capacity - size,
             "- { object: Parallelogram, u: [%d, 0, 0], v: [0, 40, 0], material: %s, "
             "transform: { translation: [-20, -20, %g] } }\n",
             40 + i % 2, i % 2 ? "red" : "blue", i * .25);
