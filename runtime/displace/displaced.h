@@ -38,7 +38,7 @@ typedef struct {
     double low[3], high[3];
     /* View frustums of the picture, if only shadow maps need triangles outside; no planes: all
      * triangles are needed. */
-    SceneSight sight;
+    SceneFrustums sight;
 } DisplacedView;
 
 /* Returns whether the driver supports the method: OpenGL 4.5, with storage buffers in the

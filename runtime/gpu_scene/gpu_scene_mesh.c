@@ -142,11 +142,11 @@ bool gpu_scene_mesh_view(GlContext *gl, const GpuSceneSource *source, GpuScene *
     if (gpu_scene_mesh_by_lights(gpu_scene) && !gpu_scene->plane_count) /* a plane is infinite */
         find_box(source, gpu_scene, view.low, view.high);
     if (source->alone && source->volume && !source->triangles) {
-        view.sight = (SceneSight){.planes = source->volume->planes,
-                                  .count = source->volume->count,
-                                  .casts = source->casts ? source->scene : NULL,
-                                  .grounds = (const double(*)[4])grounds,
-                                  .ground_count = gpu_scene->plane_count};
+        view.sight = (SceneFrustums){.planes = source->volume->planes,
+                                     .count = source->volume->count,
+                                     .casts = source->casts ? source->scene : NULL,
+                                     .grounds = (const double(*)[4])grounds,
+                                     .ground_count = gpu_scene->plane_count};
         if (find_grounds(source, gpu_scene, grounds))
             find_box(source, gpu_scene, view.sight.low, view.sight.high);
     }

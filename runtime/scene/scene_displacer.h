@@ -22,7 +22,7 @@ struct SceneDisplacer {
     MatcOptions options;
     Keyword method;     /* KEYWORD_Displacing_mesh, ... */
     bool processor;     /* the GPU cannot displace */
-    SceneSeen seen;     /* cameras, if subdivision depends on them */
+    SceneViewSet seen;  /* cameras, if subdivision depends on them */
     MatcMoves *moves;   /* by material */
     SceneDetail detail; /* views, if detail depends on them */
     SceneBall *balls;   /* bounding spheres of imported meshes */

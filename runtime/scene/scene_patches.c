@@ -190,7 +190,7 @@ static void to_world(const ScenePatches *patches, const float local[3], double w
 
 /* Returns the parts of an edge; symmetric in its ends, so that both triangles get the same
  * number. */
-static uint8_t parts_of(const ScenePatches *patches, const SceneSeen *seen,
+static uint8_t parts_of(const ScenePatches *patches, const SceneViewSet *seen,
                         const float *const ends[2])
 {
     double world[2][3], middle[3], way[3];
@@ -216,7 +216,7 @@ bool scene_patches_hide(const ScenePatches *patches)
 }
 
 static bool is_hidden(const ScenePatches *patches, const ScenePatch *patch, const double eye[3],
-                      const SceneSight *sight)
+                      const SceneFrustums *sight)
 {
     double corners[3][3];
     for (int k = 0; k < 3; k++)
@@ -252,9 +252,9 @@ static void bound_parts(const ScenePatches *patches, uint8_t (*parts)[3])
 }
 
 void scene_patches_levels(const ScenePatches *patches, const SceneCamera *camera, const int size[2],
-                          const SceneSight *sight, uint8_t (*parts)[3])
+                          const SceneFrustums *sight, uint8_t (*parts)[3])
 {
-    SceneSeen seen = {.count = 1, .shorter = size[0] < size[1] ? size[0] : size[1]};
+    SceneViewSet seen = {.count = 1, .shorter = size[0] < size[1] ? size[0] : size[1]};
     for (int i = 0; i < 2; i++)
         seen.half[i] = size[i] / seen.shorter;
     seen.cameras[0] = *camera;

@@ -60,5 +60,5 @@ bool scene_patches_hide(const ScenePatches *patches);
  * edges: neither they nor their shadows are visible, wherever their points are displaced.
  * Patches within a tenth of their distance from the view are kept. */
 void scene_patches_levels(const ScenePatches *patches, const SceneCamera *camera, const int size[2],
-                          const SceneSight *sight, uint8_t (*parts)[3]);
+                          const SceneFrustums *sight, uint8_t (*parts)[3]);
 #endif

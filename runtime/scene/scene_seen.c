@@ -12,7 +12,7 @@ static const double out_of_view = 8; /* distance factor: still visible in mirror
 /* scale of the picture's bounds: displaced points enter from outside */
 static const double rim = 1.1;
 
-void scene_seen_find(const Scene *scene, SceneSeen *seen)
+void scene_seen_find(const Scene *scene, SceneViewSet *seen)
 {
     const int frames = scene->motion.frames,
               count = frames < SCENE_SEEN_CAMERAS ? frames : SCENE_SEEN_CAMERAS;
@@ -29,7 +29,7 @@ void scene_seen_find(const Scene *scene, SceneSeen *seen)
         seen->cameras[seen->count++] = scene->camera;
 }
 
-static double pixels_of(const SceneSeen *seen, const SceneCamera *camera, const double at[3])
+static double pixels_of(const SceneViewSet *seen, const SceneCamera *camera, const double at[3])
 {
     double way[3];
     for (int i = 0; i < 3; i++)
@@ -43,7 +43,7 @@ static double pixels_of(const SceneSeen *seen, const SceneCamera *camera, const 
     return seen->shorter / 2 / (camera->half * distance * (inside ? 1 : out_of_view));
 }
 
-double scene_seen_pixels(const SceneSeen *seen, const double at[3])
+double scene_seen_pixels(const SceneViewSet *seen, const double at[3])
 {
     double most = 0;
     for (int i = 0; i < seen->count; i++)

@@ -11,10 +11,10 @@ typedef struct {
     int count;
     double half[2]; /* half width and height of the picture, over half its shorter side */
     double shorter; /* shorter side of the picture, in pixels */
-} SceneSeen;
+} SceneViewSet;
 
-void scene_seen_find(const Scene *scene, SceneSeen *seen);
+void scene_seen_find(const Scene *scene, SceneViewSet *seen);
 /* Returns the max pixels of a unit of length at a point in world space. Out of view the point
  * counts as eight times as far. */
-double scene_seen_pixels(const SceneSeen *seen, const double at[3]);
+double scene_seen_pixels(const SceneViewSet *seen, const double at[3]);
 #endif

@@ -50,7 +50,8 @@ static double most_inside(const double plane[4], const SightTriangle *moved)
 
 /* Returns how far rays past the triangle continue until they have left the box: a length, or,
  * for a lamp, a multiple of their length so far. Infinite if unknown. */
-static double reach_of(const SceneSight *sight, const SceneLight *light, const SightTriangle *moved)
+static double reach_of(const SceneFrustums *sight, const SceneLight *light,
+                       const SightTriangle *moved)
 {
     double reach = INFINITY;
     for (int k = 0; k < 3; k++) {
@@ -100,7 +101,7 @@ static double far_from(const double at[3], const double low[3], const double hig
 }
 
 /* Margin of a shadow map: its filter, and the offset of points before the lookup. */
-static double spread_of(const SceneSight *sight, const SceneLight *light,
+static double spread_of(const SceneFrustums *sight, const SceneLight *light,
                         const SightTriangle *moved, double reach)
 {
     enum { TAPS = 2, MORE = 4 /* texels per filter width, and in addition */ };
@@ -111,8 +112,8 @@ static double spread_of(const SceneSight *sight, const SceneLight *light,
     return texels * widest / size * reach * far_from(light->position, moved->low, moved->high);
 }
 
-static bool casts_into_view(const SceneSight *sight, const double eye[3], const SceneLight *light,
-                            const SightTriangle *moved)
+static bool casts_into_view(const SceneFrustums *sight, const double eye[3],
+                            const SceneLight *light, const SightTriangle *moved)
 {
     const bool far = light_from(light) == LIGHT_FROM_afar;
     double reach = reach_of(sight, light, moved), farthest = far_from(eye, sight->low, sight->high);
@@ -136,7 +137,7 @@ static bool casts_into_view(const SceneSight *sight, const double eye[3], const 
     return !beyond;
 }
 
-bool scene_sight_misses(const SceneSight *sight, const double eye[3], const double corners[3][3],
+bool scene_sight_misses(const SceneFrustums *sight, const double eye[3], const double corners[3][3],
                         double bound)
 {
     const SightTriangle moved = triangle_of(corners, bound);

@@ -16,12 +16,12 @@ typedef struct {
     /* Infinite planes on which shadows may fall, too: n x + d = 0 with n of unit length. */
     const double (*grounds)[4];
     int ground_count;
-} SceneSight;
+} SceneFrustums;
 
 /* Reports whether no point of the triangle is visible, for any displacement by at most `bound`,
  * nor casts a shadow on a visible point. The camera may turn by a tenth of the triangle's
  * distance until the result is invalid; the lights may not move. If shadows are not limited to a
  * box, and lights cast them, no triangle is safely left out. */
-bool scene_sight_misses(const SceneSight *sight, const double eye[3], const double corners[3][3],
+bool scene_sight_misses(const SceneFrustums *sight, const double eye[3], const double corners[3][3],
                         double bound);
 #endif

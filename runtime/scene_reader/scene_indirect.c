@@ -1,53 +1,53 @@
 /* Reads a scene's settings of indirect light. */
 #include "runtime/scene_reader/scene_part.h"
 
-static Keyword keyword_of(const SceneThing *thing, int param)
+static Keyword keyword_of(const SceneNodeDesc *desc, int param)
 {
-    return (Keyword)scene_thing_number(thing, param);
+    return (Keyword)scene_node_number(desc, param);
 }
-static int whole_of(const SceneThing *thing, int param)
+static int whole_of(const SceneNodeDesc *desc, int param)
 {
-    return (int)scene_thing_number(thing, param);
+    return (int)scene_node_number(desc, param);
 }
-static bool is_so(const SceneThing *thing, int param)
+static bool is_so(const SceneNodeDesc *desc, int param)
 {
-    return scene_thing_number(thing, param) != 0;
+    return scene_node_number(desc, param) != 0;
 }
 
 /* A missing `indirect:` gets all defaults but no method: --indirect may select one. */
 void scene_indirect_read(SceneReader *r, Tree *tree)
 {
-    SceneThing thing;
+    SceneNodeDesc desc;
     if (!tree)
-        scene_thing_default(r, SCENE_SORT_indirect, &thing);
-    else if (!scene_thing_read(r, tree, SCENE_SORT_indirect, &thing))
+        scene_node_default(r, SCENE_SORT_indirect, &desc);
+    else if (!scene_node_read(r, tree, SCENE_SORT_indirect, &desc))
         return;
-    scene_thing_preset(&thing, S_Indirect_quality);
-    scene_thing_preset(&thing, S_Indirect_preset);
+    scene_node_preset(&desc, S_Indirect_quality);
+    scene_node_preset(&desc, S_Indirect_preset);
     r->scene->indirect = (SceneIndirect){
-        .method = tree ? keyword_of(&thing, S_Indirect_method) : KEYWORD_Indirect_none,
-        .rays = whole_of(&thing, S_Indirect_rays),
-        .samples = whole_of(&thing, S_Indirect_samples),
-        .history = whole_of(&thing, S_Indirect_history),
-        .error = scene_thing_number(&thing, S_Indirect_error),
-        .steps = whole_of(&thing, S_Indirect_steps),
-        .radius = scene_thing_number(&thing, S_Indirect_radius),
-        .offset = scene_thing_number(&thing, S_Indirect_offset),
-        .thickness = scene_thing_number(&thing, S_Indirect_thickness),
-        .filter = keyword_of(&thing, S_Indirect_filter),
-        .filter_size = whole_of(&thing, S_Indirect_filterSize),
-        .coarse = 1 << (keyword_of(&thing, S_Indirect_resolution) - KEYWORD_Resolution_full),
-        .moving = 1 << (keyword_of(&thing, S_Indirect_moving) - KEYWORD_Resolution_full),
-        .contrast = scene_thing_number(&thing, S_Indirect_contrast),
-        .weight = keyword_of(&thing, S_Indirect_weight),
-        .distribution = keyword_of(&thing, S_Indirect_distribution),
-        .sequence = keyword_of(&thing, S_Indirect_sequence),
-        .rotation = keyword_of(&thing, S_Indirect_rotation),
-        .march = keyword_of(&thing, S_Indirect_march),
-        .jitter = is_so(&thing, S_Indirect_jitter),
-        .checked = is_so(&thing, S_Indirect_checked),
-        .directional = is_so(&thing, S_Indirect_directional),
-        .dims_direct = is_so(&thing, S_Indirect_dimsDirect),
-        .bounces = whole_of(&thing, S_Indirect_bounces),
-        .gain = scene_thing_number(&thing, S_Indirect_gain)};
+        .method = tree ? keyword_of(&desc, S_Indirect_method) : KEYWORD_Indirect_none,
+        .rays = whole_of(&desc, S_Indirect_rays),
+        .samples = whole_of(&desc, S_Indirect_samples),
+        .history = whole_of(&desc, S_Indirect_history),
+        .error = scene_node_number(&desc, S_Indirect_error),
+        .steps = whole_of(&desc, S_Indirect_steps),
+        .radius = scene_node_number(&desc, S_Indirect_radius),
+        .offset = scene_node_number(&desc, S_Indirect_offset),
+        .thickness = scene_node_number(&desc, S_Indirect_thickness),
+        .filter = keyword_of(&desc, S_Indirect_filter),
+        .filter_size = whole_of(&desc, S_Indirect_filterSize),
+        .coarse = 1 << (keyword_of(&desc, S_Indirect_resolution) - KEYWORD_Resolution_full),
+        .moving = 1 << (keyword_of(&desc, S_Indirect_moving) - KEYWORD_Resolution_full),
+        .contrast = scene_node_number(&desc, S_Indirect_contrast),
+        .weight = keyword_of(&desc, S_Indirect_weight),
+        .distribution = keyword_of(&desc, S_Indirect_distribution),
+        .sequence = keyword_of(&desc, S_Indirect_sequence),
+        .rotation = keyword_of(&desc, S_Indirect_rotation),
+        .march = keyword_of(&desc, S_Indirect_march),
+        .jitter = is_so(&desc, S_Indirect_jitter),
+        .checked = is_so(&desc, S_Indirect_checked),
+        .directional = is_so(&desc, S_Indirect_directional),
+        .dims_direct = is_so(&desc, S_Indirect_dimsDirect),
+        .bounces = whole_of(&desc, S_Indirect_bounces),
+        .gain = scene_node_number(&desc, S_Indirect_gain)};
 }

@@ -13,44 +13,44 @@ static bool fault(SceneReader *r, Span span, const char *what)
     return r->fine = false;
 }
 
-static bool read_turntable(SceneReader *r, const SceneThing *thing, SceneMotion *motion)
+static bool read_turntable(SceneReader *r, const SceneNodeDesc *desc, SceneMotion *motion)
 {
-    motion->frames = (int)scene_thing_number(thing, S_Turntable_frames);
-    motion->angle = scene_thing_number(thing, S_Turntable_degrees) * RADIANS;
-    scene_thing_vector(thing, S_Turntable_axis, motion->axis);
+    motion->frames = (int)scene_node_number(desc, S_Turntable_frames);
+    motion->angle = scene_node_number(desc, S_Turntable_degrees) * RADIANS;
+    scene_node_vector(desc, S_Turntable_axis, motion->axis);
     if (vec3_normalize(motion->axis))
         return true;
-    diag_add(r->session, scene_thing_span(thing, S_Turntable_axis), DIAG_no_direction, "axis");
+    diag_add(r->session, scene_node_span(desc, S_Turntable_axis), DIAG_no_direction, "axis");
     return r->fine = false;
 }
 
 static bool read_key(SceneReader *r, Tree *tree, SceneMotion *motion, size_t *capacity)
 {
-    SceneThing thing;
+    SceneNodeDesc desc;
     SceneKey key;
-    if (!scene_thing_read(r, tree, SCENE_SORT_key, &thing))
+    if (!scene_node_read(r, tree, SCENE_SORT_key, &desc))
         return false;
-    key.time = scene_thing_number(&thing, S_Key_time);
-    scene_thing_vector(&thing, S_Key_position, key.position);
-    scene_thing_vector(&thing, S_Key_target, key.target);
+    key.time = scene_node_number(&desc, S_Key_time);
+    scene_node_vector(&desc, S_Key_position, key.position);
+    scene_node_vector(&desc, S_Key_target, key.target);
     if (motion->key_count && key.time <= motion->keys[motion->key_count - 1].time)
-        return fault(r, scene_thing_span(&thing, S_Key_time), "the times of keys rise");
+        return fault(r, scene_node_span(&desc, S_Key_time), "the times of keys rise");
     size_t count = (size_t)motion->key_count;
     ARENA_PUSH(r->session->arena, motion->keys, count, *capacity, key);
     motion->key_count = (int)count;
     return true;
 }
 
-static bool read_path(SceneReader *r, const SceneThing *thing, SceneMotion *motion)
+static bool read_path(SceneReader *r, const SceneNodeDesc *desc, SceneMotion *motion)
 {
-    const Tree *keys = scene_thing_given(thing, S_Path_keys);
+    const Tree *keys = scene_node_given(desc, S_Path_keys);
     size_t capacity = 0;
-    motion->frames = (int)scene_thing_number(thing, S_Path_frames);
+    motion->frames = (int)scene_node_number(desc, S_Path_frames);
     for (uint32_t i = 0; keys && i < keys->count; i++)
         if (!read_key(r, keys->items[i], motion, &capacity))
             return false;
     return motion->key_count >= MIN_KEYS ||
-           fault(r, scene_thing_span(thing, S_Path_keys), "a path has two keys or more");
+           fault(r, scene_node_span(desc, S_Path_keys), "a path has two keys or more");
 }
 
 /* Checks all frames: on a path the camera may coincide with its target, or look straight up. */
@@ -67,11 +67,11 @@ static void check_frames(SceneReader *r, const Tree *tree)
 
 void scene_motion_read(SceneReader *r, Tree *tree)
 {
-    SceneThing thing;
+    SceneNodeDesc desc;
     SceneMotion *motion = &r->scene->motion;
-    if (!scene_thing_read(r, tree, SCENE_SORT_motion, &thing))
+    if (!scene_node_read(r, tree, SCENE_SORT_motion, &desc))
         return;
-    motion->kind = thing.kind;
-    if ((thing.kind == SCENE_Turntable ? read_turntable : read_path)(r, &thing, motion) && r->fine)
+    motion->kind = desc.kind;
+    if ((desc.kind == SCENE_Turntable ? read_turntable : read_path)(r, &desc, motion) && r->fine)
         check_frames(r, tree);
 }

@@ -56,14 +56,14 @@ static bool fault(SceneReader *r, Span span, DiagKind kind, const char *what)
     return r->fine = false;
 }
 
-static void read_numbers(const SceneThing *thing, SceneObject *object)
+static void read_numbers(const SceneNodeDesc *desc, SceneObject *object)
 {
-    const ObjectRow *row = &rows[thing->kind];
+    const ObjectRow *row = &rows[desc->kind];
     for (int i = 0; i < 3 && row->numbers[i] >= 0; i++)
         if (row->components == 3)
-            scene_thing_vector(thing, row->numbers[i], object->numbers + 3 * i);
+            scene_node_vector(desc, row->numbers[i], object->numbers + 3 * i);
         else
-            object->numbers[i] = scene_thing_number(thing, row->numbers[i]);
+            object->numbers[i] = scene_node_number(desc, row->numbers[i]);
 }
 
 /* Returns a bound of an object's local coordinates, before its matrix. */
@@ -77,11 +77,11 @@ static double reach_of(const SceneObject *object)
 
 /* Checks a matrix: one that flattens an object, or has no finite numbers, cannot be drawn; x and
  * y of a plane must stay perpendicular. */
-static bool check_matrix(SceneReader *r, const SceneThing *thing, const SceneObject *object)
+static bool check_matrix(SceneReader *r, const SceneNodeDesc *desc, const SceneObject *object)
 {
     const SceneMatrix *m = &object->world_from_local;
     const double reach = reach_of(object);
-    const Span span = scene_thing_span(thing, rows[thing->kind].transform);
+    const Span span = scene_node_span(desc, rows[desc->kind].transform);
     double x[3], y[3], z[3];
     memcpy(x, m->m, sizeof x);
     memcpy(y, m->m + 4, sizeof y);
@@ -96,39 +96,40 @@ static bool check_matrix(SceneReader *r, const SceneThing *thing, const SceneObj
     vec3_cross(axes[1], axes[2], cross);
     if (fabs(vec3_dot(axes[0], cross)) < 1e-9)
         return fault(r, span, DIAG_scene_flat, "the transformation makes it flat");
-    if (thing->kind == SCENE_Plane && fabs(vec3_dot(x, y)) > 1e-6)
+    if (desc->kind == SCENE_Plane && fabs(vec3_dot(x, y)) > 1e-6)
         return fault(r, span, DIAG_scene_flat,
                      "the transformation leaves x and y of a plane at no right angle");
     return true;
 }
 
-static bool check_parallelogram(SceneReader *r, const SceneThing *thing, const SceneObject *object)
+static bool check_parallelogram(SceneReader *r, const SceneNodeDesc *desc,
+                                const SceneObject *object)
 {
-    return thing->kind != SCENE_Parallelogram || vec3_span(object->numbers, object->numbers + 3) ||
-           fault(r, scene_thing_span(thing, S_Parallelogram_v), DIAG_scene_flat,
+    return desc->kind != SCENE_Parallelogram || vec3_span(object->numbers, object->numbers + 3) ||
+           fault(r, scene_node_span(desc, S_Parallelogram_v), DIAG_scene_flat,
                  "u and v span nothing");
 }
 
 /* Returns the object's own material, or that of its group. */
-static int material_of(SceneReader *r, const SceneThing *thing, int around)
+static int material_of(SceneReader *r, const SceneNodeDesc *desc, int around)
 {
-    Tree *given = scene_thing_given(thing, rows[thing->kind].material);
+    Tree *given = scene_node_given(desc, rows[desc->kind].material);
     return given ? scene_material_read(r, given) : around;
 }
 
-static bool fault_missing(SceneReader *r, const SceneThing *thing, const char *key)
+static bool fault_missing(SceneReader *r, const SceneNodeDesc *desc, const char *key)
 {
-    diag_add(r->session, thing->tree->span, DIAG_missing_key, scene_kind_table[thing->kind].name,
+    diag_add(r->session, desc->tree->span, DIAG_missing_key, scene_kind_table[desc->kind].name,
              key);
     return r->fine = false;
 }
 
 /* Returns the names of the enclosing groups and the object's own, joined by '/', such as
  * lamps/bulb. NULL without names. */
-static const char *name_of(SceneReader *r, const SceneThing *thing, const char *around)
+static const char *name_of(SceneReader *r, const SceneNodeDesc *desc, const char *around)
 {
-    const Tree *given = scene_thing_given(thing, rows[thing->kind].name);
-    const char *own = scene_thing_name(r, given);
+    const Tree *given = scene_node_given(desc, rows[desc->kind].name);
+    const char *own = scene_node_name(r, given);
     if (!own || !around)
         return own ? own : around;
     Text joined = text_new(r->session->arena);
@@ -136,15 +137,15 @@ static const char *name_of(SceneReader *r, const SceneThing *thing, const char *
     return joined.at;
 }
 
-static bool find_mesh(SceneReader *r, const SceneThing *thing, int *mesh)
+static bool find_mesh(SceneReader *r, const SceneNodeDesc *desc, int *mesh)
 {
-    const Tree *file = thing->kind == SCENE_Mesh ? scene_thing_given(thing, S_Mesh_file) : NULL;
+    const Tree *file = desc->kind == SCENE_Mesh ? scene_node_given(desc, S_Mesh_file) : NULL;
     *mesh = file ? scene_mesh_read(r, file) : -1;
-    return thing->kind != SCENE_Mesh || (file ? *mesh >= 0 : fault_missing(r, thing, "file"));
+    return desc->kind != SCENE_Mesh || (file ? *mesh >= 0 : fault_missing(r, desc, "file"));
 }
 
 /* Records a plane. Reports once that there are too many. */
-static bool add_plane(SceneReader *r, const SceneThing *thing)
+static bool add_plane(SceneReader *r, const SceneNodeDesc *desc)
 {
     if (r->plane_count > SCENE_PLANES)
         return false;
@@ -152,7 +153,7 @@ static bool add_plane(SceneReader *r, const SceneThing *thing)
                r->scene->object_count);
     if (r->plane_count <= SCENE_PLANES)
         return true;
-    diag_add(r->session, thing->tree->span, DIAG_too_many_planes, SCENE_PLANES);
+    diag_add(r->session, desc->tree->span, DIAG_too_many_planes, SCENE_PLANES);
     return r->fine = false;
 }
 
@@ -163,22 +164,22 @@ static bool fault_many(SceneReader *r, Span span)
 }
 
 /* Counts an object or group. Returns false if there are too many, which is reported once. */
-static bool count_thing(SceneReader *r, Span span)
+static bool count_node(SceneReader *r, Span span)
 {
     if (r->things > SCENE_OBJECTS)
         return false;
     return ++r->things <= SCENE_OBJECTS || fault_many(r, span);
 }
 
-static bool push_object(SceneReader *r, const SceneThing *thing, SceneObject object)
+static bool push_object(SceneReader *r, const SceneNodeDesc *desc, SceneObject object)
 {
     Scene *scene = r->scene;
-    if (!scene_triangles_add(r, thing, &object))
+    if (!scene_triangles_add(r, desc, &object))
         return false;
     size_t count = (size_t)scene->object_count;
     r->origin_count = count; /* objects outside the scene have been removed again */
     ARENA_PUSH(r->session->arena, r->origins, r->origin_count, r->origin_capacity,
-               thing->tree->span);
+               desc->tree->span);
     ARENA_PUSH(r->session->arena, scene->objects, count, r->object_capacity, object);
     scene->object_count = (int)count;
     return true;
@@ -186,63 +187,63 @@ static bool push_object(SceneReader *r, const SceneThing *thing, SceneObject obj
 
 /* Reports whether a mesh is split by the file's materials into an object for each: the document
  * gives no material, neither for the mesh nor for its groups. */
-static bool is_in_parts(const SceneThing *thing, int material)
+static bool is_in_parts(const SceneNodeDesc *desc, int material)
 {
-    const Tree *file = thing->kind == SCENE_Mesh ? scene_thing_given(thing, S_Mesh_file) : NULL;
+    const Tree *file = desc->kind == SCENE_Mesh ? scene_node_given(desc, S_Mesh_file) : NULL;
     const char *dot = file && file->kind == TREE_scalar ? strrchr(file->text, '.') : NULL;
     return dot && (!strcmp(dot, ".gltf") || !strcmp(dot, ".glb")) && material < 0 &&
-           !scene_thing_given(thing, S_Mesh_material);
+           !scene_node_given(desc, S_Mesh_material);
 }
 
-static bool add_parts(SceneReader *r, const SceneThing *thing, SceneObject object)
+static bool add_parts(SceneReader *r, const SceneNodeDesc *desc, SceneObject object)
 {
-    const Tree *file = scene_thing_given(thing, S_Mesh_file);
+    const Tree *file = scene_node_given(desc, S_Mesh_file);
     int first;
     const int count = scene_mesh_read_parts(r, file, &first);
     for (int i = first; i < first + count; i++) {
         object.mesh = i;
         object.material = scene_material_read_of(r, file, r->scene->meshes[i].part);
-        if (object.material < 0 || (i > first && !count_thing(r, thing->tree->span)) ||
-            !push_object(r, thing, object))
+        if (object.material < 0 || (i > first && !count_node(r, desc->tree->span)) ||
+            !push_object(r, desc, object))
             return false;
     }
     return count >= 0;
 }
 
-static bool add_object(SceneReader *r, const SceneThing *thing, const Around *around)
+static bool add_object(SceneReader *r, const SceneNodeDesc *desc, const Around *around)
 {
     const bool round =
-        thing->kind == SCENE_Sphere || thing->kind == SCENE_Cylinder || thing->kind == SCENE_Cone;
-    SceneObject object = {.kind = thing->kind,
+        desc->kind == SCENE_Sphere || desc->kind == SCENE_Cylinder || desc->kind == SCENE_Cone;
+    SceneObject object = {.kind = desc->kind,
                           .name = around->name,
-                          .adapts = round && !tree_find(thing->tree, "detail"),
+                          .adapts = round && !tree_find(desc->tree, "detail"),
                           .world_from_local = around->world_from_group};
-    read_numbers(thing, &object);
+    read_numbers(desc, &object);
     object.material = around->material;
-    if (!check_matrix(r, thing, &object) || !check_parallelogram(r, thing, &object))
+    if (!check_matrix(r, desc, &object) || !check_parallelogram(r, desc, &object))
         return false;
-    if (is_in_parts(thing, object.material))
-        return add_parts(r, thing, object);
-    if (!find_mesh(r, thing, &object.mesh))
+    if (is_in_parts(desc, object.material))
+        return add_parts(r, desc, object);
+    if (!find_mesh(r, desc, &object.mesh))
         return false;
     if (object.material < 0)
-        return scene_thing_given(thing, rows[thing->kind].material)
+        return scene_node_given(desc, rows[desc->kind].material)
                    ? r->fine
-                   : fault_missing(r, thing, "material");
-    return (thing->kind != SCENE_Plane || r->aside || add_plane(r, thing)) &&
-           push_object(r, thing, object);
+                   : fault_missing(r, desc, "material");
+    return (desc->kind != SCENE_Plane || r->aside || add_plane(r, desc)) &&
+           push_object(r, desc, object);
 }
 
 static void read_list(SceneReader *r, const Tree *list, const Around *around);
-static bool read_copies(SceneReader *r, const SceneThing *thing, const Around *around);
-static bool read_instance(SceneReader *r, const SceneThing *thing, const Around *around);
+static bool read_copies(SceneReader *r, const SceneNodeDesc *desc, const Around *around);
+static bool read_instance(SceneReader *r, const SceneNodeDesc *desc, const Around *around);
 
 /* Records a top-level position, a candidate for the origin: scene_origin.c. */
-static void add_root(SceneReader *r, const SceneThing *thing, const SceneMatrix *matrix)
+static void add_root(SceneReader *r, const SceneNodeDesc *desc, const SceneMatrix *matrix)
 {
     Scene *scene = r->scene;
     size_t count = (size_t)scene->root_count;
-    SceneRoot root = {.number = scene->root_count, .plane = thing->kind == SCENE_Plane};
+    SceneRoot root = {.number = scene->root_count, .plane = desc->kind == SCENE_Plane};
     memcpy(root.at, matrix->m + 12, sizeof root.at);
     ARENA_PUSH(r->session->arena, scene->roots, count, r->root_capacity, root);
     scene->root_count = (int)count;
@@ -251,51 +252,51 @@ static void add_root(SceneReader *r, const SceneThing *thing, const SceneMatrix 
 /* Reads an object. An error in it is reported once, however often the object is used. */
 static void read_object(SceneReader *r, Tree *tree, const Around *around)
 {
-    SceneThing thing;
-    if (!scene_thing_read(r, tree, SCENE_SORT_object, &thing))
+    SceneNodeDesc desc;
+    if (!scene_node_read(r, tree, SCENE_SORT_object, &desc))
         return;
-    const Transform *transform = scene_thing_transform(&thing, rows[thing.kind].transform);
+    const Transform *transform = scene_node_transform(&desc, rows[desc.kind].transform);
     const SceneMatrix own = transform ? scene_matrix_of(transform) : scene_matrix_identity();
     const Around here = {.world_from_group = scene_matrix_multiply(&around->world_from_group, &own),
-                         .material = material_of(r, &thing, around->material),
+                         .material = material_of(r, &desc, around->material),
                          .depth = around->depth + 1,
-                         .name = name_of(r, &thing, around->name)};
+                         .name = name_of(r, &desc, around->name)};
     if (around->depth == 0 && !r->aside)
-        add_root(r, &thing, &here.world_from_group);
+        add_root(r, &desc, &here.world_from_group);
     if (here.depth > LIMIT_DEPTH) {
         diag_add(r->session, tree->span, DIAG_too_deep, LIMIT_DEPTH);
         tree->failed = true, r->fine = false;
-    } else if (thing.kind == SCENE_Scatter)
-        tree->failed = !read_copies(r, &thing, &here);
-    else if (thing.kind == SCENE_Instance)
-        tree->failed = !read_instance(r, &thing, &here);
-    else if (thing.kind != SCENE_Group)
-        tree->failed = !add_object(r, &thing, &here);
-    else if (scene_thing_given(&thing, S_Group_objects))
-        read_list(r, scene_thing_given(&thing, S_Group_objects), &here);
+    } else if (desc.kind == SCENE_Scatter)
+        tree->failed = !read_copies(r, &desc, &here);
+    else if (desc.kind == SCENE_Instance)
+        tree->failed = !read_instance(r, &desc, &here);
+    else if (desc.kind != SCENE_Group)
+        tree->failed = !add_object(r, &desc, &here);
+    else if (scene_node_given(&desc, S_Group_objects))
+        read_list(r, scene_node_given(&desc, S_Group_objects), &here);
 }
 
 /* Reads a list. Every use of an alias counts, since nested aliases can multiply objects without
  * limit. */
 static void read_list(SceneReader *r, const Tree *list, const Around *around)
 {
-    for (uint32_t i = 0; i < list->count && count_thing(r, list->items[i]->span); i++)
+    for (uint32_t i = 0; i < list->count && count_node(r, list->items[i]->span); i++)
         read_object(r, list->items[i], around);
 }
 
 /* Reads an instance. A definition is open while its content is read: an instance of an open
  * definition contains itself. Returns false after an error was reported. */
-static bool read_instance(SceneReader *r, const SceneThing *thing, const Around *around)
+static bool read_instance(SceneReader *r, const SceneNodeDesc *desc, const Around *around)
 {
-    const Tree *name = scene_thing_given(thing, S_Instance_of);
+    const Tree *name = scene_node_given(desc, S_Instance_of);
     Tree *definition = name ? scene_definition_find(r, name) : NULL;
     if (!name)
-        return fault_missing(r, thing, "of");
+        return fault_missing(r, desc, "of");
     if (definition && definition->open) {
         diag_add(r->session, name->span, DIAG_cycle, name->text);
         return r->fine = false;
     }
-    if (!definition || !count_thing(r, thing->tree->span))
+    if (!definition || !count_node(r, desc->tree->span))
         return false;
     definition->open = true;
     read_object(r, definition, around);
@@ -303,48 +304,48 @@ static bool read_instance(SceneReader *r, const SceneThing *thing, const Around 
     return true;
 }
 
-static bool has(const SceneThing *thing, const char *key)
+static bool has(const SceneNodeDesc *desc, const char *key)
 {
-    return tree_find(thing->tree, key) != NULL;
+    return tree_find(desc->tree, key) != NULL;
 }
 
-static bool fault_scatter(SceneReader *r, const SceneThing *thing, int param, const char *what)
+static bool fault_scatter(SceneReader *r, const SceneNodeDesc *desc, int param, const char *what)
 {
-    return fault(r, scene_thing_span(thing, param), DIAG_scene_scatter, what);
+    return fault(r, scene_node_span(desc, param), DIAG_scene_scatter, what);
 }
 
-static bool check_scatter(SceneReader *r, const SceneThing *thing)
+static bool check_scatter(SceneReader *r, const SceneNodeDesc *desc)
 {
-    const bool on = scene_thing_given(thing, S_Scatter_on) != NULL;
-    if (scene_thing_number(thing, S_Scatter_least) > scene_thing_number(thing, S_Scatter_most))
-        return fault_scatter(r, thing, S_Scatter_least, "the least scale is greater than the most");
-    if (on && has(thing, "size"))
-        return fault_scatter(r, thing, S_Scatter_size,
+    const bool on = scene_node_given(desc, S_Scatter_on) != NULL;
+    if (scene_node_number(desc, S_Scatter_least) > scene_node_number(desc, S_Scatter_most))
+        return fault_scatter(r, desc, S_Scatter_least, "the least scale is greater than the most");
+    if (on && has(desc, "size"))
+        return fault_scatter(r, desc, S_Scatter_size,
                              "copies on a surface stand in no box: `on` or `size`");
-    if (has(thing, "density") && has(thing, "count"))
-        return fault_scatter(r, thing, S_Scatter_density,
+    if (has(desc, "density") && has(desc, "count"))
+        return fault_scatter(r, desc, S_Scatter_density,
                              "there are as many copies as one says: `density` or `count`");
-    if (!on && has(thing, "density"))
-        return fault_scatter(r, thing, S_Scatter_density, "density is of a surface: it wants `on`");
-    if (!on && has(thing, "aligned"))
-        return fault_scatter(r, thing, S_Scatter_aligned,
+    if (!on && has(desc, "density"))
+        return fault_scatter(r, desc, S_Scatter_density, "density is of a surface: it wants `on`");
+    if (!on && has(desc, "aligned"))
+        return fault_scatter(r, desc, S_Scatter_aligned,
                              "copies are aligned to a surface: it wants `on`");
     return true;
 }
 
-static bool make_surface(SceneReader *r, const SceneThing *thing, int first, SceneSurface *made)
+static bool make_surface(SceneReader *r, const SceneNodeDesc *desc, int first, SceneSurface *made)
 {
     const Scene *scene = r->scene;
     for (int i = first; i < scene->object_count; i++)
         if (scene->objects[i].kind == SCENE_Plane)
-            return fault_scatter(r, thing, S_Scatter_on,
+            return fault_scatter(r, desc, S_Scatter_on,
                                  "a plane has no end: copies cannot stand evenly on all of it");
     if (!scene_surface_make(scene, scene->objects + first, scene->object_count - first, made) ||
         (r->surface_triangles += made->count) > SCENE_SURFACE_TRIANGLES)
-        return fault_scatter(r, thing, S_Scatter_on,
+        return fault_scatter(r, desc, S_Scatter_on,
                              "surfaces that copies stand on have too many triangles in all");
     return scene_surface_area(made) > 0 ||
-           fault_scatter(r, thing, S_Scatter_on, "the surface has no area");
+           fault_scatter(r, desc, S_Scatter_on, "the surface has no area");
 }
 
 /* Reads the objects of a tree in local space, outside the scene. They are appended; the caller
@@ -363,43 +364,42 @@ static void read_aside(SceneReader *r, Tree *tree, int depth)
 
 /* Reads the surface of a Scatter, in the copies' space. Returns false after an error was
  * reported. */
-static bool read_surface(SceneReader *r, const SceneThing *thing, const Around *around,
+static bool read_surface(SceneReader *r, const SceneNodeDesc *desc, const Around *around,
                          SceneSurface *made)
 {
     Scene *scene = r->scene;
     const int objects = scene->object_count;
     *made = (SceneSurface){0};
-    if (!count_thing(r, thing->tree->span))
+    if (!count_node(r, desc->tree->span))
         return false;
-    read_aside(r, scene_thing_given(thing, S_Scatter_on), around->depth);
-    const bool done = r->fine && make_surface(r, thing, objects, made);
+    read_aside(r, scene_node_given(desc, S_Scatter_on), around->depth);
+    const bool done = r->fine && make_surface(r, desc, objects, made);
     if (done)
         scene_stand_open(r, &around->world_from_group, objects,
-                         scene_thing_number(thing, S_Scatter_aligned) != 0);
+                         scene_node_number(desc, S_Scatter_aligned) != 0);
     scene->object_count = objects;
     return done;
 }
 
 /* Returns the number of copies for a density, rounded to nearest; limited to one more than
  * allowed. */
-static int copies_of(const SceneThing *thing, const SceneSurface *surface)
+static int copies_of(const SceneNodeDesc *desc, const SceneSurface *surface)
 {
-    if (!has(thing, "density"))
-        return (int)scene_thing_number(thing, S_Scatter_count);
-    return (int)fmin(scene_thing_number(thing, S_Scatter_density) * scene_surface_area(surface) +
-                         .5,
+    if (!has(desc, "density"))
+        return (int)scene_node_number(desc, S_Scatter_count);
+    return (int)fmin(scene_node_number(desc, S_Scatter_density) * scene_surface_area(surface) + .5,
                      SCENE_OBJECTS + 1);
 }
 
 /* Adds copies up to the first error, which all of them would repeat. */
-static void add_copies(SceneReader *r, const SceneThing *thing, const Around *around,
+static void add_copies(SceneReader *r, const SceneNodeDesc *desc, const Around *around,
                        const SceneScatter *scatter)
 {
-    const Tree *list = scene_thing_given(thing, S_Scatter_objects);
-    const int count = copies_of(thing, scatter->surface);
-    uint64_t state = (uint64_t)scene_thing_number(thing, S_Scatter_seed);
+    const Tree *list = scene_node_given(desc, S_Scatter_objects);
+    const int count = copies_of(desc, scatter->surface);
+    uint64_t state = (uint64_t)scene_node_number(desc, S_Scatter_seed);
     const size_t stand = r->stand_count - 1; /* copies may have surfaces of their own */
-    for (int i = 0; list && i < count && (i == 0 || r->fine) && count_thing(r, thing->tree->span);
+    for (int i = 0; list && i < count && (i == 0 || r->fine) && count_node(r, desc->tree->span);
          i++) {
         SceneStood stood = {.first = r->scene->object_count};
         scene_scatter_numbers(state, stood.numbers);
@@ -417,19 +417,19 @@ static void add_copies(SceneReader *r, const SceneThing *thing, const Around *ar
 }
 
 /* Reads a Scatter. Returns false after an error was reported. */
-static bool read_copies(SceneReader *r, const SceneThing *thing, const Around *around)
+static bool read_copies(SceneReader *r, const SceneNodeDesc *desc, const Around *around)
 {
     SceneSurface surface = {0};
-    const bool on = scene_thing_given(thing, S_Scatter_on) != NULL;
-    SceneScatter scatter = {.least = scene_thing_number(thing, S_Scatter_least),
-                            .most = scene_thing_number(thing, S_Scatter_most),
+    const bool on = scene_node_given(desc, S_Scatter_on) != NULL;
+    SceneScatter scatter = {.least = scene_node_number(desc, S_Scatter_least),
+                            .most = scene_node_number(desc, S_Scatter_most),
                             .surface = on ? &surface : NULL,
-                            .aligned = scene_thing_number(thing, S_Scatter_aligned) != 0};
-    scene_thing_vector(thing, S_Scatter_size, scatter.size);
-    scene_thing_vector(thing, S_Scatter_rotation, scatter.rotation);
-    const bool fine = check_scatter(r, thing) && (!on || read_surface(r, thing, around, &surface));
+                            .aligned = scene_node_number(desc, S_Scatter_aligned) != 0};
+    scene_node_vector(desc, S_Scatter_size, scatter.size);
+    scene_node_vector(desc, S_Scatter_rotation, scatter.rotation);
+    const bool fine = check_scatter(r, desc) && (!on || read_surface(r, desc, around, &surface));
     if (fine)
-        add_copies(r, thing, around, &scatter);
+        add_copies(r, desc, around, &scatter);
     scene_surface_free(&surface);
     return fine;
 }

@@ -2,7 +2,7 @@
  * and then set r->fine to false. */
 #ifndef MATC_SCENE_PART_H
 #define MATC_SCENE_PART_H
-#include "runtime/scene_reader/scene_thing.h"
+#include "runtime/scene_reader/scene_node.h"
 
 /* Reads all objects of a list, including groups. scene_objects.c */
 void scene_objects_read(SceneReader *r, const Tree *list);
@@ -31,7 +31,7 @@ void scene_indirect_read(SceneReader *r, Tree *tree);
 
 /* Counts the triangles of an object whose mesh no earlier object has. Returns false if there are
  * too many, which is reported. scene_triangles.c */
-bool scene_triangles_add(SceneReader *r, const SceneThing *thing, const SceneObject *object);
+bool scene_triangles_add(SceneReader *r, const SceneNodeDesc *desc, const SceneObject *object);
 
 /* Warns of a scene with more than SCENE_HEAVY_TRIANGLES, at the object that has the most. Call
  * after all objects are displaced. */

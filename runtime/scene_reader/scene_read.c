@@ -12,23 +12,23 @@
 
 static void read_image(SceneReader *r, Tree *tree)
 {
-    SceneThing thing;
+    SceneNodeDesc desc;
     if (!tree)
-        scene_thing_default(r, SCENE_SORT_image, &thing);
-    else if (!scene_thing_read(r, tree, SCENE_SORT_image, &thing))
+        scene_node_default(r, SCENE_SORT_image, &desc);
+    else if (!scene_node_read(r, tree, SCENE_SORT_image, &desc))
         return;
-    r->scene->width = (int)scene_thing_number(&thing, S_Image_width);
-    r->scene->height = (int)scene_thing_number(&thing, S_Image_height);
-    r->scene->glow = scene_thing_number(&thing, S_Image_glow) != 0;
-    r->scene->tiles = scene_thing_number(&thing, S_Image_tiles) != 0;
+    r->scene->width = (int)scene_node_number(&desc, S_Image_width);
+    r->scene->height = (int)scene_node_number(&desc, S_Image_height);
+    r->scene->glow = scene_node_number(&desc, S_Image_glow) != 0;
+    r->scene->tiles = scene_node_number(&desc, S_Image_tiles) != 0;
 }
 
 static void read_tone(SceneReader *r, Tree *tree)
 {
-    SceneThing thing;
+    SceneNodeDesc desc;
     if (!tree)
-        scene_thing_default(r, SCENE_SORT_toneMapping, &thing);
-    else if (!scene_thing_read(r, tree, SCENE_SORT_toneMapping, &thing))
+        scene_node_default(r, SCENE_SORT_toneMapping, &desc);
+    else if (!scene_node_read(r, tree, SCENE_SORT_toneMapping, &desc))
         return;
     static const int first[SCENE_KIND_COUNT] = {[SCENE_ReinhardDevlin] = S_ReinhardDevlin_intensity,
                                                 [SCENE_Drago] = S_Drago_bias,
@@ -40,29 +40,29 @@ static void read_tone(SceneReader *r, Tree *tree)
         [SCENE_Shoulder] = S_Shoulder_exposure, [SCENE_Exponential] = S_Exponential_exposure,
         [SCENE_Linear] = S_Linear_exposure,     [SCENE_Drago] = S_Drago_exposure};
     Scene *scene = r->scene;
-    scene->tone = thing.kind;
+    scene->tone = desc.kind;
     scene->exposure =
-        exposures[thing.kind] ? exp2(scene_thing_number(&thing, exposures[thing.kind])) : 1;
-    for (int i = 0; i < numbers[thing.kind]; i++)
-        scene->tone_numbers[i] = scene_thing_number(&thing, first[thing.kind] + i);
+        exposures[desc.kind] ? exp2(scene_node_number(&desc, exposures[desc.kind])) : 1;
+    for (int i = 0; i < numbers[desc.kind]; i++)
+        scene->tone_numbers[i] = scene_node_number(&desc, first[desc.kind] + i);
 }
 
 static void read_shadow_maps(SceneReader *r, Tree *tree)
 {
-    SceneThing thing;
+    SceneNodeDesc desc;
     if (!tree)
-        scene_thing_default(r, SCENE_SORT_shadowMaps, &thing);
-    else if (!scene_thing_read(r, tree, SCENE_SORT_shadowMaps, &thing))
+        scene_node_default(r, SCENE_SORT_shadowMaps, &desc);
+    else if (!scene_node_read(r, tree, SCENE_SORT_shadowMaps, &desc))
         return;
-    r->scene->shadow_size = (int)scene_thing_number(&thing, S_ShadowMaps_size);
-    r->scene->shadow_filter = (int)scene_thing_number(&thing, S_ShadowMaps_filter);
-    r->scene->shadow_cascades = (int)scene_thing_number(&thing, S_ShadowMaps_cascades);
-    r->scene->shadow_points = (int)scene_thing_number(&thing, S_ShadowMaps_areaPoints);
-    r->scene->shadow_colored = scene_thing_number(&thing, S_ShadowMaps_colored) != 0;
-    r->scene->shadow_volume = (Keyword)scene_thing_number(&thing, S_ShadowMaps_volume);
-    r->scene->shadow_path = (Keyword)scene_thing_number(&thing, S_ShadowMaps_path);
-    r->scene->shadow_offset = scene_thing_number(&thing, S_ShadowMaps_offset);
-    r->scene->shadow_stretched = scene_thing_number(&thing, S_ShadowMaps_stretched) != 0;
+    r->scene->shadow_size = (int)scene_node_number(&desc, S_ShadowMaps_size);
+    r->scene->shadow_filter = (int)scene_node_number(&desc, S_ShadowMaps_filter);
+    r->scene->shadow_cascades = (int)scene_node_number(&desc, S_ShadowMaps_cascades);
+    r->scene->shadow_points = (int)scene_node_number(&desc, S_ShadowMaps_areaPoints);
+    r->scene->shadow_colored = scene_node_number(&desc, S_ShadowMaps_colored) != 0;
+    r->scene->shadow_volume = (Keyword)scene_node_number(&desc, S_ShadowMaps_volume);
+    r->scene->shadow_path = (Keyword)scene_node_number(&desc, S_ShadowMaps_path);
+    r->scene->shadow_offset = scene_node_number(&desc, S_ShadowMaps_offset);
+    r->scene->shadow_stretched = scene_node_number(&desc, S_ShadowMaps_stretched) != 0;
 }
 
 static bool sees_planes(const SceneReader *r, const SceneCamera *camera)
@@ -77,16 +77,16 @@ static bool sees_planes(const SceneReader *r, const SceneCamera *camera)
 
 static void read_voxels(SceneReader *r, Tree *tree)
 {
-    SceneThing thing;
+    SceneNodeDesc desc;
     if (!tree)
-        scene_thing_default(r, SCENE_SORT_voxels, &thing);
-    else if (!scene_thing_read(r, tree, SCENE_SORT_voxels, &thing))
+        scene_node_default(r, SCENE_SORT_voxels, &desc);
+    else if (!scene_node_read(r, tree, SCENE_SORT_voxels, &desc))
         return;
-    const int size = (int)scene_thing_number(&thing, S_Voxels_size);
+    const int size = (int)scene_node_number(&desc, S_Voxels_size);
     r->scene->voxel_size = size;
     if (!(size & (size - 1)))
         return;
-    diag_add(r->session, scene_thing_span(&thing, S_Voxels_size), DIAG_scene_voxels, size);
+    diag_add(r->session, scene_node_span(&desc, S_Voxels_size), DIAG_scene_voxels, size);
     r->fine = false;
 }
 
@@ -107,39 +107,39 @@ static bool has_skirts(Keyword method, Keyword skirts)
 
 static void read_displacement(SceneReader *r, Tree *tree)
 {
-    SceneThing thing;
+    SceneNodeDesc desc;
     if (!tree)
-        scene_thing_default(r, SCENE_SORT_displacement, &thing);
-    else if (!scene_thing_read(r, tree, SCENE_SORT_displacement, &thing))
+        scene_node_default(r, SCENE_SORT_displacement, &desc);
+    else if (!scene_node_read(r, tree, SCENE_SORT_displacement, &desc))
         return;
-    r->scene->displaced_by = (Keyword)scene_thing_number(&thing, S_Displacement_method);
-    r->scene->displaced_pixels = scene_thing_number(&thing, S_Displacement_pixels);
-    r->scene->displaced_triangles = (int)scene_thing_number(&thing, S_Displacement_triangles);
-    r->scene->displaced_level = (int)scene_thing_number(&thing, S_Displacement_level);
+    r->scene->displaced_by = (Keyword)scene_node_number(&desc, S_Displacement_method);
+    r->scene->displaced_pixels = scene_node_number(&desc, S_Displacement_pixels);
+    r->scene->displaced_triangles = (int)scene_node_number(&desc, S_Displacement_triangles);
+    r->scene->displaced_level = (int)scene_node_number(&desc, S_Displacement_level);
     const Keyword method = r->scene->displaced_by;
     SceneDividing *dividing = &r->scene->dividing;
-    dividing->skirts = (Keyword)scene_thing_number(&thing, S_Displacement_skirts);
-    dividing->near = scene_thing_number(&thing, S_Displacement_near);
-    dividing->detail = scene_thing_number(&thing, S_Displacement_detail);
-    dividing->steps = (int)scene_thing_number(&thing, S_Displacement_steps);
-    dividing->push = scene_thing_number(&thing, S_Displacement_push);
-    dividing->bulge = scene_thing_number(&thing, S_Displacement_bulge);
-    dividing->spread = scene_thing_number(&thing, S_Displacement_spread);
-    dividing->symbol = (Keyword)scene_thing_number(&thing, S_Displacement_symbol);
+    dividing->skirts = (Keyword)scene_node_number(&desc, S_Displacement_skirts);
+    dividing->near = scene_node_number(&desc, S_Displacement_near);
+    dividing->detail = scene_node_number(&desc, S_Displacement_detail);
+    dividing->steps = (int)scene_node_number(&desc, S_Displacement_steps);
+    dividing->push = scene_node_number(&desc, S_Displacement_push);
+    dividing->bulge = scene_node_number(&desc, S_Displacement_bulge);
+    dividing->spread = scene_node_number(&desc, S_Displacement_spread);
+    dividing->symbol = (Keyword)scene_node_number(&desc, S_Displacement_symbol);
     if ((method == KEYWORD_Displacing_mesh || scene_displaced_traced(method)) &&
         r->scene->displaced_pixels > 0)
-        diag_add(r->session, scene_thing_span(&thing, S_Displacement_pixels), DIAG_scene_pixels,
+        diag_add(r->session, scene_node_span(&desc, S_Displacement_pixels), DIAG_scene_pixels,
                  keyword_table[method].name);
     else if (method == KEYWORD_Displacing_bisection && r->scene->displaced_level)
-        diag_add(r->session, scene_thing_span(&thing, S_Displacement_level), DIAG_scene_level);
+        diag_add(r->session, scene_node_span(&desc, S_Displacement_level), DIAG_scene_level);
     else if ((dividing->push != 0 || dividing->bulge > 0) &&
              !scene_displaced_by_driver(method, r->scene->displaced_pixels))
         diag_add(r->session,
-                 scene_thing_span(&thing,
-                                  dividing->push != 0 ? S_Displacement_push : S_Displacement_bulge),
+                 scene_node_span(&desc,
+                                 dividing->push != 0 ? S_Displacement_push : S_Displacement_bulge),
                  DIAG_scene_rounded, keyword_table[method].name);
     else if (!has_skirts(method, dividing->skirts))
-        diag_add(r->session, scene_thing_span(&thing, S_Displacement_skirts), DIAG_scene_skirts,
+        diag_add(r->session, scene_node_span(&desc, S_Displacement_skirts), DIAG_scene_skirts,
                  keyword_table[method].name, keyword_table[dividing->skirts].name);
     else
         return;
@@ -148,22 +148,22 @@ static void read_displacement(SceneReader *r, Tree *tree)
 
 static void read_tools(SceneReader *r, Tree *tree)
 {
-    SceneThing thing;
+    SceneNodeDesc desc;
     if (!tree)
-        scene_thing_default(r, SCENE_SORT_tools, &thing);
-    else if (!scene_thing_read(r, tree, SCENE_SORT_tools, &thing))
+        scene_node_default(r, SCENE_SORT_tools, &desc);
+    else if (!scene_node_read(r, tree, SCENE_SORT_tools, &desc))
         return;
-    r->scene->tools = (SceneTools){.grid = scene_thing_number(&thing, S_Tools_grid) != 0,
-                                   .axes = scene_thing_number(&thing, S_Tools_axes) != 0,
-                                   .lights = scene_thing_number(&thing, S_Tools_lights) != 0,
-                                   .grid_cells = (int)scene_thing_number(&thing, S_Tools_gridCells),
-                                   .grid_step = scene_thing_number(&thing, S_Tools_gridStep),
-                                   .axes_length = scene_thing_number(&thing, S_Tools_axesLength),
-                                   .light_size = scene_thing_number(&thing, S_Tools_lightSize)};
+    r->scene->tools = (SceneTools){.grid = scene_node_number(&desc, S_Tools_grid) != 0,
+                                   .axes = scene_node_number(&desc, S_Tools_axes) != 0,
+                                   .lights = scene_node_number(&desc, S_Tools_lights) != 0,
+                                   .grid_cells = (int)scene_node_number(&desc, S_Tools_gridCells),
+                                   .grid_step = scene_node_number(&desc, S_Tools_gridStep),
+                                   .axes_length = scene_node_number(&desc, S_Tools_axesLength),
+                                   .light_size = scene_node_number(&desc, S_Tools_lightSize)};
 }
 
 /* Rejects planes that lie partly behind an orthographic camera, where they would be clipped. */
-static void check_rays(SceneReader *r, const SceneThing *document)
+static void check_rays(SceneReader *r, const SceneNodeDesc *document)
 {
     const Scene *scene = r->scene;
     SceneCamera camera = scene->camera;
@@ -175,7 +175,7 @@ static void check_rays(SceneReader *r, const SceneThing *document)
                sees_planes(r, &camera);
     if (fine)
         return;
-    diag_add(r->session, scene_thing_span(document, S_Scene_camera), DIAG_scene_rays);
+    diag_add(r->session, scene_node_span(document, S_Scene_camera), DIAG_scene_rays);
     r->fine = false;
 }
 
@@ -197,11 +197,11 @@ static bool emits(const SceneMaterial *material)
     return any;
 }
 
-static void warn_of_darkness(SceneReader *r, const SceneThing *thing)
+static void warn_of_darkness(SceneReader *r, const SceneNodeDesc *desc)
 {
     const Scene *scene = r->scene;
-    const Tree *objects = scene_thing_given(thing, S_Scene_objects);
-    if (!r->fine || !scene->object_count || scene_thing_given(thing, S_Scene_lights))
+    const Tree *objects = scene_node_given(desc, S_Scene_objects);
+    if (!r->fine || !scene->object_count || scene_node_given(desc, S_Scene_lights))
         return;
     for (int i = 0; i < scene->material_count; i++)
         if (i != scene->sky && emits(&scene->materials[i]))
@@ -211,36 +211,36 @@ static void warn_of_darkness(SceneReader *r, const SceneThing *thing)
 
 static void read_scene(SceneReader *r, Tree *document)
 {
-    SceneThing thing;
+    SceneNodeDesc desc;
     if (!resolve_color_space(&r->resolver, document)) {
         r->fine = false;
         return;
     }
-    scene_thing_read_document(r, document, &thing);
+    scene_node_read_document(r, document, &desc);
     scene_material_open(r, document);
     scene_definition_open(r, document);
-    read_image(r, scene_thing_given(&thing, S_Scene_image));
-    scene_camera_read(r, scene_thing_given(&thing, S_Scene_camera));
-    if (scene_thing_given(&thing, S_Scene_motion) && r->fine)
-        scene_motion_read(r, scene_thing_given(&thing, S_Scene_motion));
-    read_tone(r, scene_thing_given(&thing, S_Scene_toneMapping));
-    read_shadow_maps(r, scene_thing_given(&thing, S_Scene_shadowMaps));
-    read_displacement(r, scene_thing_given(&thing, S_Scene_displacement));
-    read_voxels(r, scene_thing_given(&thing, S_Scene_voxels));
-    scene_indirect_read(r, scene_thing_given(&thing, S_Scene_indirect));
-    read_tools(r, scene_thing_given(&thing, S_Scene_tools));
-    if (scene_thing_given(&thing, S_Scene_objects))
-        scene_objects_read(r, scene_thing_given(&thing, S_Scene_objects));
+    read_image(r, scene_node_given(&desc, S_Scene_image));
+    scene_camera_read(r, scene_node_given(&desc, S_Scene_camera));
+    if (scene_node_given(&desc, S_Scene_motion) && r->fine)
+        scene_motion_read(r, scene_node_given(&desc, S_Scene_motion));
+    read_tone(r, scene_node_given(&desc, S_Scene_toneMapping));
+    read_shadow_maps(r, scene_node_given(&desc, S_Scene_shadowMaps));
+    read_displacement(r, scene_node_given(&desc, S_Scene_displacement));
+    read_voxels(r, scene_node_given(&desc, S_Scene_voxels));
+    scene_indirect_read(r, scene_node_given(&desc, S_Scene_indirect));
+    read_tools(r, scene_node_given(&desc, S_Scene_tools));
+    if (scene_node_given(&desc, S_Scene_objects))
+        scene_objects_read(r, scene_node_given(&desc, S_Scene_objects));
     scene_objects_check_unused(r);
-    Tree *sky = scene_thing_given(&thing, S_Scene_sky);
+    Tree *sky = scene_node_given(&desc, S_Scene_sky);
     r->scene->sky = sky ? scene_material_read(r, sky) : -1;
-    if (scene_thing_given(&thing, S_Scene_lights))
-        scene_lights_read(r, scene_thing_given(&thing, S_Scene_lights));
-    check_rays(r, &thing);
+    if (scene_node_given(&desc, S_Scene_lights))
+        scene_lights_read(r, scene_node_given(&desc, S_Scene_lights));
+    check_rays(r, &desc);
     scene_material_resolve(r, document);
     scene_sun_add(r);
     if (!r->session->diags.errors)
-        warn_of_darkness(r, &thing);
+        warn_of_darkness(r, &desc);
 }
 
 MatcDocument *scene_read(const char *name, const char *text, size_t size,

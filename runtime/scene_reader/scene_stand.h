@@ -1,7 +1,7 @@
 /* Moves the copies of a Scatter onto its surface if that is displaced. */
 #ifndef MATC_SCENE_STAND_H
 #define MATC_SCENE_STAND_H
-#include "runtime/scene_reader/scene_thing.h"
+#include "runtime/scene_reader/scene_node.h"
 
 /* A copy: the random numbers of its position on the surface (scene_surface.h), and its objects
  * in the scene, from `first` to before `end`. */

@@ -22,7 +22,7 @@ static bool is_known(const SceneReader *r, Key key)
 }
 
 /* Reports the limit once. */
-bool scene_triangles_add(SceneReader *r, const SceneThing *thing, const SceneObject *object)
+bool scene_triangles_add(SceneReader *r, const SceneNodeDesc *desc, const SceneObject *object)
 {
     const Key key = scene_solid_key(object);
     if (r->triangles > SCENE_TRIANGLES)
@@ -34,7 +34,7 @@ bool scene_triangles_add(SceneReader *r, const SceneThing *thing, const SceneObj
     r->triangles += triangles_of(r->scene, object);
     if (r->triangles <= SCENE_TRIANGLES)
         return true;
-    diag_add(r->session, thing->tree->span, DIAG_too_many_triangles, SCENE_TRIANGLES);
+    diag_add(r->session, desc->tree->span, DIAG_too_many_triangles, SCENE_TRIANGLES);
     return r->fine = false;
 }
 

@@ -15,10 +15,10 @@ typedef struct {
     Keyword method;       /* keyword: KEYWORD_Displacing_mesh, ... */
     int triangles;
     SceneDividing dividing;
-    int level;             /* parts of an edge of `from`, overriding `triangles`; 0: by triangles */
-    const SceneSeen *seen; /* viewers for view-dependent division; or NULL */
-    double pixels;         /* tolerated error in pixels for view-dependent division */
-    bool processor;        /* the renderer cannot displace */
+    int level; /* parts of an edge of `from`, overriding `triangles`; 0: by triangles */
+    const SceneViewSet *seen; /* viewers for view-dependent division; or NULL */
+    double pixels;            /* tolerated error in pixels for view-dependent division */
+    bool processor;           /* the renderer cannot displace */
 } SceneDisplacing;
 
 /* Returns a vertex as matc_move() takes it, transformed to world space by the object's matrix

@@ -15,7 +15,7 @@
 #include "compiler/base/vec3.h"
 #include "runtime/tessellate/scene_bisection.h"
 #include "runtime/tessellate/scene_divide.h"
-#include "runtime/tessellate/scene_ranks.h"
+#include "runtime/tessellate/scene_priority_queue.h"
 #include "runtime/tessellate/scene_growing.h"
 #include <math.h>
 #include <stdlib.h>
@@ -109,7 +109,7 @@ typedef struct {
     size_t to_count, to_capacity;
     uint32_t *touched; /* triangles changed since the last round */
     size_t touched_count, touched_capacity;
-    SceneRanks ranks;
+    ScenePriorityQueue ranks;
     double least; /* mean square below which float rounding dominates */
     bool fine;
 } Refiner;
@@ -358,7 +358,8 @@ static bool end_round(Refiner *r, bool by_area, ShapeVertex *at, double (*to)[3]
         const uint32_t triangle = r->touched[i];
         const double error = by_area ? scaled_area(r, triangle) : error_of(r, triangle);
         if (r->b.triangles[triangle].depth < SCENE_BISECTION_DEPTH - 2 && error > 0)
-            fine = scene_ranks_put(&r->ranks, (SceneRank){error, triangle, r->stamp[triangle]});
+            fine = scene_priority_queue_put(&r->ranks,
+                                            (ScenePriority){error, triangle, r->stamp[triangle]});
     }
     r->touched_count = 0;
     return fine;
@@ -372,7 +373,7 @@ static bool divide_most(Refiner *r, size_t triangles)
     bool fine = true;
     r->round++;
     while (fine && r->b.count < to && r->ranks.count) {
-        const SceneRank rank = scene_ranks_take(&r->ranks);
+        const ScenePriority rank = scene_priority_queue_take(&r->ranks);
         if (rank.stamp == r->stamp[rank.triangle])
             fine = scene_bisection_split(&r->b, rank.triangle) && r->fine;
     }
@@ -450,7 +451,7 @@ bool scene_refine(const Shape *shape, const SceneRefining *how, Shape *made)
     free(r.stamp);
     free(r.to);
     free(r.touched);
-    scene_ranks_end(&r.ranks);
+    scene_priority_queue_end(&r.ranks);
     if (!fine)
         *made = (Shape){0};
     return fine;

@@ -72,9 +72,9 @@ const int BISECT_WHOLE = 65536; // sum of a corner's weights
 // The single workgroup that runs all rounds keeps the state block up to LIGHT in shared memory.
 const uint BISECT_COUNTS = LIGHT;
 #ifdef BISECT_FEW
-shared uint bisect_head[BISECT_COUNTS];
+shared uint bisect_state[BISECT_COUNTS];
 #else
-#define bisect_head bisect_work
+#define bisect_state bisect_work
 #endif
 #ifdef BISECT_WIDE // evaluating more leaves costs a GPU less than a finer choice
 // slots of a tile; tiles per workgroup of the stage that evaluates leaves

@@ -32,23 +32,23 @@ void bisectTakeRing(uint slot, Leaf leaf, Ring ring, uint least)
         bisectMember(ring, n, base, number);
         uint found = bisectFind(base, number);
         alone = alone && found != slot;
-        bisect_work[bisectWord(LIST_CHOSEN, atomicAdd(bisect_head[CHOSEN], 1u))] = found;
+        bisect_work[bisectWord(LIST_CHOSEN, atomicAdd(bisect_state[CHOSEN], 1u))] = found;
     }
     if (alone)
-        bisect_work[bisectWord(LIST_CHOSEN, atomicAdd(bisect_head[CHOSEN], 1u))] = slot;
+        bisect_work[bisectWord(LIST_CHOSEN, atomicAdd(bisect_state[CHOSEN], 1u))] = slot;
 }
 
 void bisectWantNext(uint slot)
 {
-    bisect_work[bisectWord(LIST_WANTED + 1u - bisect_head[SWAPPED], atomicAdd(bisect_head[WANTED_NEXT], 1u))] = slot;
+    bisect_work[bisectWord(LIST_WANTED + 1u - bisect_state[SWAPPED], atomicAdd(bisect_state[WANTED_NEXT], 1u))] = slot;
 }
 
 void bisectChoose(uint group)
 {
     uint i = bisectTask(group);
-    if (i >= bisect_head[WANTED] || bisect_head[MERGED_ALL] == 0u)
+    if (i >= bisect_state[WANTED] || bisect_state[MERGED_ALL] == 0u)
         return;
-    uint slot = bisect_work[bisectWord(LIST_WANTED + bisect_head[SWAPPED], i)];
+    uint slot = bisect_work[bisectWord(LIST_WANTED + bisect_state[SWAPPED], i)];
     Leaf leaf = bisectLeaf(slot);
     if (leaf.number == 0u || (bisect_work[bisectWord(LIST_FLAGS, slot)] & FLAG_WANTED) == 0u)
         return;
@@ -60,7 +60,7 @@ void bisectChoose(uint group)
             return;
         }
         if (before == BISECT_NONE) {
-            bisect_head[LOST] = 1u;
+            bisect_state[LOST] = 1u;
             return;
         }
         bisectWantNext(slot);

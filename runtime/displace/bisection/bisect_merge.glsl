@@ -14,7 +14,7 @@ void bisectTake(uvec2 children)
 {
     if ((atomicOr(bisect_work[bisectWord(LIST_FLAGS, children.x)], FLAG_CHOSEN) & FLAG_CHOSEN) != 0u)
         return;
-    uint i = atomicAdd(bisect_head[CHOSEN], 1u);
+    uint i = atomicAdd(bisect_state[CHOSEN], 1u);
     bisect_work[bisectWord(LIST_CHOSEN, i)] = children.x;
     bisect_work[bisectWord(LIST_WANTED + 1u, i)] = children.y;
 }
@@ -23,8 +23,8 @@ void bisectTake(uvec2 children)
 // only when another triangle of their ring has become a leaf.
 void bisectMergeChoose(uint group)
 {
-    uint i = bisectTask(group), swapped = bisect_head[SWAPPED];
-    if (i >= bisect_head[MERGING])
+    uint i = bisectTask(group), swapped = bisect_state[SWAPPED];
+    if (i >= bisect_state[MERGING])
         return;
     uint slot = bisect_work[bisectWord(LIST_MERGING + swapped, i)];
     Leaf leaf = bisectLeaf(slot);
@@ -54,7 +54,7 @@ void bisectMergeChoose(uint group)
 // child's slot becomes free. Puts a leaf into the next round's list of merges.
 void bisectAsk(uint slot)
 {
-    bisect_work[bisectWord(LIST_MERGING + 1u - bisect_head[SWAPPED], atomicAdd(bisect_head[MERGING_NEXT], 1u))] = slot;
+    bisect_work[bisectWord(LIST_MERGING + 1u - bisect_state[SWAPPED], atomicAdd(bisect_state[MERGING_NEXT], 1u))] = slot;
 }
 
 // Puts a triangle's first child into the next round's list if it is a leaf that waits for its ring;
@@ -93,7 +93,7 @@ void bisectMergeBegin(uint i, out Asked a)
     bisectMergeRows(3u * BISECT_ROW * slot, 3u * BISECT_ROW * other);
     bisectReplace(other, second, Leaf(0u, 0u, 0u, 0u));
     bisect_work[bisectWord(LIST_FLAGS, other)] = 0u;
-    bisect_work[bisectWord(LIST_FREE, atomicAdd(bisect_head[FREE], 1u))] = other;
+    bisect_work[bisectWord(LIST_FREE, atomicAdd(bisect_state[FREE], 1u))] = other;
 }
 
 void bisectMergeEnd(Asked a, Answers answers)
@@ -120,7 +120,7 @@ void bisectMergeEnd(Asked a, Answers answers)
 #ifndef BISECT_FEW
 void bisectMerge(uint group)
 {
-    if (bisectTask(group) >= bisect_head[CHOSEN])
+    if (bisectTask(group) >= bisect_state[CHOSEN])
         return;
     Asked a;
     bisectMergeBegin(bisectTask(group), a);

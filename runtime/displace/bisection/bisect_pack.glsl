@@ -2,21 +2,21 @@
 // First stage (BISECT_CHOOSE): lists the free slots below.
 void main()
 {
-    uint i = gl_GlobalInvocationID.x, live = bisect_head[HIGH] - bisect_head[FREE];
+    uint i = gl_GlobalInvocationID.x, live = bisect_state[HIGH] - bisect_state[FREE];
 #ifdef BISECT_CHOOSE
-    if (i >= bisect_head[FREE])
+    if (i >= bisect_state[FREE])
         return;
     uint place = bisect_work[bisectWord(LIST_FREE, i)];
     if (place < live)
-        bisect_work[bisectWord(LIST_CHOSEN, atomicAdd(bisect_head[CHOSEN], 1u))] = place;
+        bisect_work[bisectWord(LIST_CHOSEN, atomicAdd(bisect_state[CHOSEN], 1u))] = place;
 #else
     uint from = live + i;
-    if (from >= bisect_head[HIGH])
+    if (from >= bisect_state[HIGH])
         return;
     Leaf leaf = bisectLeaf(from);
     if (leaf.number == 0u)
         return;
-    uint slot = bisect_work[bisectWord(LIST_CHOSEN, atomicAdd(bisect_head[MERGING_NEXT], 1u))];
+    uint slot = bisect_work[bisectWord(LIST_CHOSEN, atomicAdd(bisect_state[MERGING_NEXT], 1u))];
     for (uint k = 0u; k < 3u * BISECT_ROW; k++)
         bisect_rows[3u * BISECT_ROW * slot + k] = bisect_rows[3u * BISECT_ROW * from + k];
     bisectPut(slot, leaf);

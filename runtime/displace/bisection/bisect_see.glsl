@@ -94,7 +94,7 @@ float bisectAway(BisectBase at, Corners t, vec4 eye, vec3 middle, vec3 extent)
 #ifdef BISECT_LIGHTS
 // -- visibility of a triangle's shadow
 
-vec4 bisectHeadFloats(uint at)
+vec4 bisectStateFloats(uint at)
 {
     return uintBitsToFloat(uvec4(bisect_work[at], bisect_work[at + 1u], bisect_work[at + 2u], bisect_work[at + 3u]));
 }
@@ -109,7 +109,7 @@ struct BisectLight {
 BisectLight bisectLight(uint i)
 {
     uint words = EXTENT + 3u * i;
-    return BisectLight(bisectHeadFloats(LIGHT + 4u * i), uintBitsToFloat(uvec3(bisect_work[words], bisect_work[words + 1u], bisect_work[words + 2u])));
+    return BisectLight(bisectStateFloats(LIGHT + 4u * i), uintBitsToFloat(uvec3(bisect_work[words], bisect_work[words + 1u], bisect_work[words + 2u])));
 }
 
 // Returns the distance that rays through the box travel until they have left the bounds of shadow
@@ -118,7 +118,7 @@ BisectLight bisectLight(uint i)
 float bisectLightReach(BisectLight from, vec3 middle, vec3 extent)
 {
     vec4 light = from.at;
-    vec3 low = bisectHeadFloats(BOX).xyz, high = bisectHeadFloats(BOX + 3u).xyz;
+    vec3 low = bisectStateFloats(BOX).xyz, high = bisectStateFloats(BOX + 3u).xyz;
     float reach = 1e30;
     for (int k = 0; k < 3; k++) {
         float below = light[k] * light.w + from.extent[k], above = light[k] * light.w - from.extent[k];

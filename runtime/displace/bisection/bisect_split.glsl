@@ -136,11 +136,11 @@ void main()
     if (bisect_level >= 0) {
         uint number = base & (1u << bisect_level) - 1u | 1u << bisect_level;
         base >>= bisect_level;
-        if (base < bisect_head[HIGH])
+        if (base < bisect_state[HIGH])
             bisectFindRange(base, number);
         return;
     }
-    if (base >= bisect_head[HIGH])
+    if (base >= bisect_state[HIGH])
         return;
     Corners t = bisectCorners(base, 1u);
     mat3 p;
@@ -189,9 +189,9 @@ mat3 bisectChildPoints(uint local, uint child)
 void bisectPrepare(uint local, uint slot)
 {
     Leaf leaf = bisectLeaf(slot);
-    uint free = atomicAdd(bisect_head[FREE], 0xFFFFFFFFu);
+    uint free = atomicAdd(bisect_state[FREE], 0xFFFFFFFFu);
     splits[local].slot = slot;
-    splits[local].place = int(free) > 0 ? bisect_work[bisectWord(LIST_FREE, free - 1u)] : atomicAdd(bisect_head[HIGH], 1u);
+    splits[local].place = int(free) > 0 ? bisect_work[bisectWord(LIST_FREE, free - 1u)] : atomicAdd(bisect_state[HIGH], 1u);
     splits[local].leaf = leaf;
     splits[local].deeper = bisectDeeper(2u * leaf.number);
     splits[local].t = bisectCorners(leaf.base, leaf.number);
@@ -257,7 +257,7 @@ void bisectSplitEnd(Asked a, Answers answers)
     bisect_work[bisectWord(LIST_FLAGS, a.slot)] = answers.own > 0.0 ? FLAG_WANTED : answers.parent <= 0.0 ? FLAG_LESS : 0u;
     bisectInsert(bisectId(a.leaf.base, a.leaf.number), a.slot);
     if (answers.own > 0.0)
-        bisect_work[bisectWord(LIST_WANTED + 1u - bisect_head[SWAPPED], atomicAdd(bisect_head[WANTED_NEXT], 1u))] = a.slot;
+        bisect_work[bisectWord(LIST_WANTED + 1u - bisect_state[SWAPPED], atomicAdd(bisect_state[WANTED_NEXT], 1u))] = a.slot;
 }
 
 #ifndef BISECT_FEW
@@ -322,7 +322,7 @@ void bisectDisplace(uint count)
 // of children.
 uint bisectDivide(uint group)
 {
-    uint first = BISECT_SPLITS * group, all = bisect_head[FULL] != 0u ? 0u : bisect_head[CHOSEN], count = min(max(all, first) - first, BISECT_SPLITS);
+    uint first = BISECT_SPLITS * group, all = bisect_state[FULL] != 0u ? 0u : bisect_state[CHOSEN], count = min(max(all, first) - first, BISECT_SPLITS);
     if (bisectTask(0u) < count)
         bisectPrepare(bisectTask(0u), bisect_work[bisectWord(LIST_CHOSEN, first + bisectTask(0u))]);
     bisectTurn();
@@ -355,7 +355,7 @@ void bisectSplit(uint group)
 void bisectSplit(uint group)
 {
     uint i = bisectTask(group), local = gl_LocalInvocationIndex;
-    if (i >= bisect_head[CHOSEN] || bisect_head[FULL] != 0u)
+    if (i >= bisect_state[CHOSEN] || bisect_state[FULL] != 0u)
         return;
     bisectPrepare(local, bisect_work[bisectWord(LIST_CHOSEN, i)]);
     for (uint k = 0u; k < BISECT_ROW; k++)

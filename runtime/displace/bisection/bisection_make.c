@@ -91,7 +91,8 @@ static bool make_moving_stages(const DisplacedMaking *making, const char *define
                       few = {.compute = {"#define BISECT_FEW\n", render_text_bisect,
                                          render_text_bisect_see, render_text_bisect_merge,
                                          render_text_bisect_choose, render_text_bisect_split,
-                                         render_text_bisect_next, render_text_bisect_few}},
+                                         render_text_bisect_next,
+                                         render_text_bisect_single_workgroup}},
                       begin = {.compute = {render_text_bisect, render_text_bisect_see,
                                            render_text_bisect_split}};
     return make_moving(making, defines, &split, &made->material) &&
@@ -107,7 +108,7 @@ static bool make_stages(const DisplacedMaking *making, Displaced *made, Bisectio
              {render_text_bisect_scan, ""},
              false},
         [BISECTION_LOOK] = {"#define BISECT_STEP 0\n#define BISECT_STAGE bisectStage\n",
-                            {render_text_bisect_scan, render_text_bisect_look},
+                            {render_text_bisect_scan, render_text_bisect_evaluate},
                             false},
         [BISECTION_MERGE_CHOOSE] =
             {"#define BISECT_STEP 1\n#define BISECT_STAGE bisectMergeChoose\n",

@@ -43,7 +43,7 @@ static void lengths_have_pixels(void **state)
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         char text[500];
         MatcDocument *document;
-        SceneSeen seen;
+        SceneViewSet seen;
         snprintf(text, sizeof text, "image: { width: 900, height: 600 }\ncamera: %s\nobjects: []\n",
                  rows[i].camera);
         Scene *scene = read_scene(text, &document);
@@ -66,7 +66,7 @@ static void the_nearest_frame_counts(void **state)
         "0, 0] }, "
         "{ time: 1, position: [0, -2, 0], target: [0, 0, 0] }] }\nobjects: []\n";
     MatcDocument *document;
-    SceneSeen seen;
+    SceneViewSet seen;
     SceneCamera last;
     Scene *scene = read_scene(text, &document);
     scene_seen_find(scene, &seen);

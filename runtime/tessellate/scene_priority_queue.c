@@ -1,8 +1,8 @@
-#include "runtime/tessellate/scene_ranks.h"
+#include "runtime/tessellate/scene_priority_queue.h"
 #include "runtime/tessellate/scene_growing.h"
 #include <stdlib.h>
 
-bool scene_ranks_put(SceneRanks *ranks, SceneRank rank)
+bool scene_priority_queue_put(ScenePriorityQueue *ranks, ScenePriority rank)
 {
     if (!scene_growing(&ranks->ranks, ranks->count + 1, &ranks->capacity, sizeof *ranks->ranks))
         return false;
@@ -13,9 +13,9 @@ bool scene_ranks_put(SceneRanks *ranks, SceneRank rank)
     return true;
 }
 
-SceneRank scene_ranks_take(SceneRanks *ranks)
+ScenePriority scene_priority_queue_take(ScenePriorityQueue *ranks)
 {
-    const SceneRank top = ranks->ranks[0], last = ranks->ranks[--ranks->count];
+    const ScenePriority top = ranks->ranks[0], last = ranks->ranks[--ranks->count];
     size_t at = 0;
     for (size_t next = 1; next < ranks->count; next = 2 * at + 1) {
         if (next + 1 < ranks->count && ranks->ranks[next + 1].error > ranks->ranks[next].error)
@@ -29,8 +29,8 @@ SceneRank scene_ranks_take(SceneRanks *ranks)
     return top;
 }
 
-void scene_ranks_end(SceneRanks *ranks)
+void scene_priority_queue_end(ScenePriorityQueue *ranks)
 {
     free(ranks->ranks);
-    *ranks = (SceneRanks){0};
+    *ranks = (ScenePriorityQueue){0};
 }

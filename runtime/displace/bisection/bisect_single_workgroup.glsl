@@ -21,7 +21,7 @@ void bisectNextWaiting(int step)
 // since a driver's compiler takes up to seconds for each call.
 void bisectChange(bool merging, uint group)
 {
-    uint asked = merging ? bisect_head[CHOSEN] : bisectDivide(group);
+    uint asked = merging ? bisect_state[CHOSEN] : bisectDivide(group);
     for (uint task = bisectTask(merging ? group : 0u); task < asked; task += merging ? asked : BISECT_THREADS) {
         Asked a;
         if (merging)
@@ -42,12 +42,12 @@ void bisectChange(bool merging, uint group)
 void main()
 {
     if (gl_LocalInvocationIndex < BISECT_COUNTS)
-        bisect_head[gl_LocalInvocationIndex] = bisect_work[gl_LocalInvocationIndex];
+        bisect_state[gl_LocalInvocationIndex] = bisect_work[gl_LocalInvocationIndex];
     bisectWait();
     for (;;) {
-        bool merging = bisect_head[MERGED_ALL] == 0u;
-        uint count = merging ? bisect_head[MERGING] : bisect_head[WANTED];
-        if (count == 0u || count > (merging ? FEW_MERGING : FEW_WANTED) || bisect_head[FULL] != 0u || bisect_head[LOST] != 0u)
+        bool merging = bisect_state[MERGED_ALL] == 0u;
+        uint count = merging ? bisect_state[MERGING] : bisect_state[WANTED];
+        if (count == 0u || count > (merging ? FEW_MERGING : FEW_WANTED) || bisect_state[FULL] != 0u || bisect_state[LOST] != 0u)
             break;
         for (uint group = 0u; BISECT_THREADS * group < count; group++)
             if (merging)
@@ -55,11 +55,11 @@ void main()
             else
                 bisectChoose(group);
         bisectNextWaiting(merging ? 1 : 3);
-        uint groups = bisect_head[GROUPS_CHOSEN];
+        uint groups = bisect_state[GROUPS_CHOSEN];
         for (uint group = 0u; group < groups; group++)
             bisectChange(merging, group);
         bisectNextWaiting(merging ? 2 : 4);
     }
     if (gl_LocalInvocationIndex < BISECT_COUNTS)
-        bisect_work[gl_LocalInvocationIndex] = bisect_head[gl_LocalInvocationIndex];
+        bisect_work[gl_LocalInvocationIndex] = bisect_state[gl_LocalInvocationIndex];
 }

@@ -1,6 +1,6 @@
 /* Priority queue of triangles by error: a binary heap, the largest first. */
-#ifndef MATC_SCENE_RANKS_H
-#define MATC_SCENE_RANKS_H
+#ifndef MATC_SCENE_PRIORITY_QUEUE_H
+#define MATC_SCENE_PRIORITY_QUEUE_H
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -8,16 +8,16 @@
 typedef struct {
     double error;
     uint32_t triangle, stamp; /* valid as long as the triangle has that stamp */
-} SceneRank;
+} ScenePriority;
 
 typedef struct {
-    SceneRank *ranks;
+    ScenePriority *ranks;
     size_t count, capacity;
-} SceneRanks;
+} ScenePriorityQueue;
 
 /* Inserts a rank, or replaces the triangle's. False: out of memory. */
-bool scene_ranks_put(SceneRanks *ranks, SceneRank rank);
+bool scene_priority_queue_put(ScenePriorityQueue *ranks, ScenePriority rank);
 /* Removes the largest; the queue must not be empty. */
-SceneRank scene_ranks_take(SceneRanks *ranks);
-void scene_ranks_end(SceneRanks *ranks);
+ScenePriority scene_priority_queue_take(ScenePriorityQueue *ranks);
+void scene_priority_queue_end(ScenePriorityQueue *ranks);
 #endif

@@ -7,7 +7,7 @@ void bisectLook(uint slot)
     uint at = bisectWord(LIST_FLAGS, slot), had = bisect_fresh != 0 ? 0u : bisect_work[at] & FLAG_LESS, flags = 0u;
     if (leaf.number == 0u) {
         if (bisect_fresh != 0)
-            bisect_work[bisectWord(LIST_FREE, atomicAdd(bisect_head[FREE], 1u))] = slot;
+            bisect_work[bisectWord(LIST_FREE, atomicAdd(bisect_state[FREE], 1u))] = slot;
     } else {
         if (bisect_fresh != 0)
             bisectInsert(bisectId(leaf.base, leaf.number), slot);
@@ -15,13 +15,13 @@ void bisectLook(uint slot)
         bisectDue(slot, answers);
         if (answers.own > 0.0) {
             flags = FLAG_WANTED;
-            bisect_work[bisectWord(LIST_WANTED, atomicAdd(bisect_head[WANTED], 1u))] = slot;
+            bisect_work[bisectWord(LIST_WANTED, atomicAdd(bisect_state[WANTED], 1u))] = slot;
         } else if (answers.parent <= 0.0) {
             flags = had == 0u ? FLAG_LESS | FLAG_ASKED : FLAG_LESS;
             // otherwise it waits for a leaf of its ring, and is tried when that need not be
             // bisected any more
             if (had == 0u)
-                bisect_work[bisectWord(LIST_MERGING, atomicAdd(bisect_head[MERGING], 1u))] = slot;
+                bisect_work[bisectWord(LIST_MERGING, atomicAdd(bisect_state[MERGING], 1u))] = slot;
         }
     }
     bisect_work[at] = flags;
@@ -46,21 +46,21 @@ void bisectStage(uint group)
     barrier();
     for (uint i = gl_LocalInvocationIndex; i < BISECT_TILE * look_count; i += BISECT_THREADS) {
         uint slot = BISECT_TILE * look_tiles[i / BISECT_TILE] + i % BISECT_TILE;
-        if (slot < bisect_head[HIGH])
+        if (slot < bisect_state[HIGH])
             bisectLook(slot);
     }
     if (gl_LocalInvocationIndex == 0u && look_count != 0u)
-        atomicAdd(bisect_head[CHOSEN], look_count);
+        atomicAdd(bisect_state[CHOSEN], look_count);
     barrier(); // the next tiles reset the count
 }
 #else
 void bisectStage(uint group)
 {
     uint i = bisectTask(group);
-    if (i >= BISECT_TILE * bisect_head[CHOSEN])
+    if (i >= BISECT_TILE * bisect_state[CHOSEN])
         return;
     uint slot = BISECT_TILE * bisect_work[bisectWord(LIST_CHOSEN, i / BISECT_TILE)] + i % BISECT_TILE;
-    if (slot < bisect_head[HIGH])
+    if (slot < bisect_state[HIGH])
         bisectLook(slot);
 }
 #endif

@@ -1,11 +1,12 @@
-/* Reads a tree into a SceneThing, by the rows of scene.def. A key that no row has is an error. */
-#include "runtime/scene_reader/scene_thing.h"
+/* Reads a tree into a SceneNodeDesc, by the rows of scene.def. A key that no row has is an error.
+ */
+#include "runtime/scene_reader/scene_node.h"
 #include "compiler/resolve/scene_check.h"
 #include <string.h>
 
-static const SceneKindRow *row_of(const SceneThing *thing)
+static const SceneKindRow *row_of(const SceneNodeDesc *desc)
 {
-    return &scene_kind_table[thing->kind];
+    return &scene_kind_table[desc->kind];
 }
 
 static bool fail(SceneReader *r) { return r->fine = false; }
@@ -38,11 +39,11 @@ static bool read_plain(SceneReader *r, const SceneParamRow *row, Tree *tree, Val
                                           : is_number(r, row, value);
 }
 
-static bool read_value(SceneReader *r, const Member *member, SceneThing *thing, int place)
+static bool read_value(SceneReader *r, const Member *member, SceneNodeDesc *desc, int place)
 {
-    const SceneParamRow *row = &scene_param_table[row_of(thing)->first + place];
+    const SceneParamRow *row = &scene_param_table[row_of(desc)->first + place];
     if (row->value == SCENE_VALUE_plain)
-        return read_plain(r, row, member->value, &thing->values[place]);
+        return read_plain(r, row, member->value, &desc->values[place]);
     if (tree_is_null(member->value))
         return true;
     const bool list = member->value->kind == TREE_list;
@@ -51,34 +52,34 @@ static bool read_value(SceneReader *r, const Member *member, SceneThing *thing, 
                  tree_describe(r->session, member->value));
         return fail(r);
     }
-    thing->given[place] = member->value;
+    desc->given[place] = member->value;
     return true;
 }
 
-static void set_defaults(SceneReader *r, SceneThing *thing)
+static void set_defaults(SceneReader *r, SceneNodeDesc *desc)
 {
-    for (int i = 0; i < row_of(thing)->count; i++) {
-        const SceneParamRow *row = &scene_param_table[row_of(thing)->first + i];
-        thing->given[i] = NULL;
-        thing->values[i] = row->value == SCENE_VALUE_plain && row->param.components
-                               ? resolve_default(&r->resolver, &row->param)
-                               : (Value){0};
+    for (int i = 0; i < row_of(desc)->count; i++) {
+        const SceneParamRow *row = &scene_param_table[row_of(desc)->first + i];
+        desc->given[i] = NULL;
+        desc->values[i] = row->value == SCENE_VALUE_plain && row->param.components
+                              ? resolve_default(&r->resolver, &row->param)
+                              : (Value){0};
     }
 }
 
-static bool unknown_key(SceneReader *r, const SceneThing *thing, const Member *member)
+static bool unknown_key(SceneReader *r, const SceneNodeDesc *desc, const Member *member)
 {
-    scene_check_unknown(r->session, thing->kind, member);
+    scene_check_unknown(r->session, desc->kind, member);
     return fail(r);
 }
 
 /* Reads all members except the one that names the kind, and keys for which `skips` returns true. */
 static bool read_members(SceneReader *r, const Tree *tree, bool (*skips)(const char *key),
-                         SceneThing *thing)
+                         SceneNodeDesc *desc)
 {
-    const SceneKindRow *row = row_of(thing);
+    const SceneKindRow *row = row_of(desc);
     bool fine = true;
-    set_defaults(r, thing);
+    set_defaults(r, desc);
     for (uint32_t i = 0; i < tree->count; i++) {
         const Member *member = &tree->members[i];
         int place = 0;
@@ -86,24 +87,24 @@ static bool read_members(SceneReader *r, const Tree *tree, bool (*skips)(const c
                strcmp(scene_param_table[row->first + place].param.name, member->key) != 0)
             place++;
         if (place < row->count)
-            fine &= read_value(r, member, thing, place);
+            fine &= read_value(r, member, desc, place);
         else if (strcmp(member->key, scene_sort_table[row->sort].name) != 0 &&
                  !(skips && skips(member->key)))
-            fine = unknown_key(r, thing, member);
+            fine = unknown_key(r, desc, member);
     }
     return fine;
 }
 
-bool scene_thing_read(SceneReader *r, Tree *tree, SceneSort sort, SceneThing *thing)
+bool scene_node_read(SceneReader *r, Tree *tree, SceneSort sort, SceneNodeDesc *desc)
 {
     if (tree->failed)
         return false; /* an alias whose errors were reported already */
     const int kind = scene_check_kind(r->session, tree, sort);
-    thing->kind = (SceneKind)(kind < 0 ? 0 : kind);
-    thing->tree = tree;
+    desc->kind = (SceneKind)(kind < 0 ? 0 : kind);
+    desc->tree = tree;
     if (kind < 0)
         fail(r);
-    tree->failed = kind < 0 || !read_members(r, tree, NULL, thing);
+    tree->failed = kind < 0 || !read_members(r, tree, NULL, desc);
     return !tree->failed;
 }
 
@@ -112,54 +113,54 @@ static bool is_document_key(const char *key)
     return resolve_is_document_key(key) || !strcmp(key, "materials");
 }
 
-bool scene_thing_read_document(SceneReader *r, Tree *tree, SceneThing *thing)
+bool scene_node_read_document(SceneReader *r, Tree *tree, SceneNodeDesc *desc)
 {
-    *thing = (SceneThing){.kind = SCENE_Scene, .tree = tree};
-    return read_members(r, tree, is_document_key, thing);
+    *desc = (SceneNodeDesc){.kind = SCENE_Scene, .tree = tree};
+    return read_members(r, tree, is_document_key, desc);
 }
 
-void scene_thing_default(SceneReader *r, SceneSort sort, SceneThing *thing)
+void scene_node_default(SceneReader *r, SceneSort sort, SceneNodeDesc *desc)
 {
     int kind = 0;
     while (scene_kind_table[kind].sort != sort)
         kind++;
-    thing->kind = (SceneKind)kind;
-    thing->tree = NULL;
-    set_defaults(r, thing);
+    desc->kind = (SceneKind)kind;
+    desc->tree = NULL;
+    set_defaults(r, desc);
 }
 
-static int place_of(const SceneThing *thing, int param) { return param - row_of(thing)->first; }
+static int place_of(const SceneNodeDesc *desc, int param) { return param - row_of(desc)->first; }
 
-void scene_thing_preset(SceneThing *thing, int key)
+void scene_node_preset(SceneNodeDesc *desc, int key)
 {
-    const Keyword word = (Keyword)scene_thing_number(thing, key);
+    const Keyword word = (Keyword)scene_node_number(desc, key);
     for (int i = 0; i < scene_preset_count; i++) {
         const ScenePresetRow *row = &scene_preset_table[i];
         const char *name = scene_param_table[row->param].param.name;
-        if (row->key == key && row->word == word && !(thing->tree && tree_find(thing->tree, name)))
-            thing->values[place_of(thing, row->param)].number[0] = row->value;
+        if (row->key == key && row->word == word && !(desc->tree && tree_find(desc->tree, name)))
+            desc->values[place_of(desc, row->param)].number[0] = row->value;
     }
 }
 
-double scene_thing_number(const SceneThing *thing, int param)
+double scene_node_number(const SceneNodeDesc *desc, int param)
 {
-    return thing->values[place_of(thing, param)].number[0];
+    return desc->values[place_of(desc, param)].number[0];
 }
 
-void scene_thing_vector(const SceneThing *thing, int param, double vector[3])
+void scene_node_vector(const SceneNodeDesc *desc, int param, double vector[3])
 {
     double components[4];
-    value_number(&thing->values[place_of(thing, param)], TYPE_vec3, components);
+    value_number(&desc->values[place_of(desc, param)], TYPE_vec3, components);
     memcpy(vector, components, 3 * sizeof *vector);
 }
 
-const Transform *scene_thing_transform(const SceneThing *thing, int param)
+const Transform *scene_node_transform(const SceneNodeDesc *desc, int param)
 {
-    const Value *value = &thing->values[place_of(thing, param)];
+    const Value *value = &desc->values[place_of(desc, param)];
     return value->kind == VALUE_transform ? value->transform : NULL;
 }
 
-const char *scene_thing_name(SceneReader *r, const Tree *given)
+const char *scene_node_name(SceneReader *r, const Tree *given)
 {
     if (!given || (given->kind == TREE_scalar && *given->text))
         return given ? given->text : NULL;
@@ -169,14 +170,14 @@ const char *scene_thing_name(SceneReader *r, const Tree *given)
     return NULL;
 }
 
-Tree *scene_thing_given(const SceneThing *thing, int param)
+Tree *scene_node_given(const SceneNodeDesc *desc, int param)
 {
-    return thing->given[place_of(thing, param)];
+    return desc->given[place_of(desc, param)];
 }
 
-Span scene_thing_span(const SceneThing *thing, int param)
+Span scene_node_span(const SceneNodeDesc *desc, int param)
 {
     const SceneParamRow *row = &scene_param_table[param];
-    const Member *member = thing->tree ? tree_find(thing->tree, row->param.name) : NULL;
-    return member ? member->value->span : thing->tree ? thing->tree->span : NO_SPAN;
+    const Member *member = desc->tree ? tree_find(desc->tree, row->param.name) : NULL;
+    return member ? member->value->span : desc->tree ? desc->tree->span : NO_SPAN;
 }

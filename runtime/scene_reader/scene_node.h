@@ -1,7 +1,7 @@
 /* A node of a scene's document, read by its rows of scene.def: its kind, and the values of its
  * keys. */
-#ifndef MATC_SCENE_THING_H
-#define MATC_SCENE_THING_H
+#ifndef MATC_SCENE_NODE_H
+#define MATC_SCENE_NODE_H
 #include "compiler/base/hash.h"
 #include "compiler/base/hash_index.h"
 #include "compiler/base/names.h"
@@ -64,26 +64,26 @@ typedef struct {
     const Tree *tree;                /* NULL: missing in the document, all values are defaults */
     Value values[SCENE_KIND_PARAMS]; /* plain parameters of the kind */
     Tree *given[SCENE_KIND_PARAMS];  /* other parameters, as trees; NULL: not given */
-} SceneThing;
+} SceneNodeDesc;
 
 /* Reads a node of a sort. Returns false after errors were reported. */
-bool scene_thing_read(SceneReader *r, Tree *tree, SceneSort sort, SceneThing *thing);
+bool scene_node_read(SceneReader *r, Tree *tree, SceneSort sort, SceneNodeDesc *desc);
 /* Reads the document itself, as the kind Scene; keys of a document are allowed, too. */
-bool scene_thing_read_document(SceneReader *r, Tree *tree, SceneThing *thing);
+bool scene_node_read_document(SceneReader *r, Tree *tree, SceneNodeDesc *desc);
 /* Sets a missing part to its default: the first kind of its sort. */
-void scene_thing_default(SceneReader *r, SceneSort sort, SceneThing *thing);
+void scene_node_default(SceneReader *r, SceneSort sort, SceneNodeDesc *desc);
 
 /* Sets the parameters that are not given to the values that go with the word of the parameter
  * `key` (SCENE_PRESET). */
-void scene_thing_preset(SceneThing *thing, int key);
+void scene_node_preset(SceneNodeDesc *desc, int key);
 
-double scene_thing_number(const SceneThing *thing, int param);
-void scene_thing_vector(const SceneThing *thing, int param, double vector[3]);
+double scene_node_number(const SceneNodeDesc *desc, int param);
+void scene_node_vector(const SceneNodeDesc *desc, int param, double vector[3]);
 /* The next two return NULL if the parameter is not given. */
-const Transform *scene_thing_transform(const SceneThing *thing, int param);
-Tree *scene_thing_given(const SceneThing *thing, int param);
+const Transform *scene_node_transform(const SceneNodeDesc *desc, int param);
+Tree *scene_node_given(const SceneNodeDesc *desc, int param);
 /* Returns a name; NULL if it is missing, or not a text, which is reported. */
-const char *scene_thing_name(SceneReader *r, const Tree *given);
+const char *scene_node_name(SceneReader *r, const Tree *given);
 /* Returns the span for errors of a parameter: its value, or the node. */
-Span scene_thing_span(const SceneThing *thing, int param);
+Span scene_node_span(const SceneNodeDesc *desc, int param);
 #endif
