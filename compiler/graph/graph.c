@@ -113,7 +113,7 @@ static unsigned phong_emits(const Node *material)
     return value_is_zero(node_param(material, P_Phong_emissive)) ? 0 : MODEL_EMITS;
 }
 
-static unsigned relief_of(const Node *map) { return map ? MODEL_RELIEF : 0; }
+static unsigned bump_of(const Node *map) { return map ? MODEL_RELIEF : 0; }
 
 /* Models of a material that selects or mixes other materials: if one is a Principled, all become
  * Principled. An AlgorithmSwitch shows its first material only; a missing front of a SideSwitch
@@ -124,9 +124,9 @@ static unsigned models_of(const Graph *graph, const Node *node)
     unsigned models = 0;
     if (node->kind == KIND_Principled)
         return 1u << MODEL_Principled | lobes_of(graph, node) | principled_emits(node) |
-               relief_of(map_of(node, P_Principled_input));
+               bump_of(map_of(node, P_Principled_input));
     if (node->kind == KIND_Phong)
-        return 1u << MODEL_Phong | phong_emits(node) | relief_of(map_of(node, P_Phong_input));
+        return 1u << MODEL_Phong | phong_emits(node) | bump_of(map_of(node, P_Phong_input));
     if (node->kind == KIND_Layer)
         models |= 1u << MODEL_Principled | MODEL_LOBE(LOBE_coat) |
                   (graph_coat_follows(graph, node) ? 0 : MODEL_LOBE(LOBE_coatNormal));

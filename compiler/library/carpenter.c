@@ -15,9 +15,9 @@ typedef struct {
     double reach;
     uint64_t state;
     float *texels; /* NaN where there is no value yet */
-} Relief;
+} DisplacementFound;
 
-static float *texel(Relief *r, int column, int row)
+static float *texel(DisplacementFound *r, int column, int row)
 {
     int64_t x = (int64_t)(column & (r->lines - 1)) * r->width / r->lines;
     int64_t y = (int64_t)(row & (r->lines - 1)) * r->height / r->lines;
@@ -26,7 +26,7 @@ static float *texel(Relief *r, int column, int row)
 
 /* The mean of the texels at (column +- a, row +- b) and (column +- c, row +- d), moved by a random
  * offset. */
-static void subdivide(Relief *r, int column, int row, const int reach[4])
+static void subdivide(DisplacementFound *r, int column, int row, const int reach[4])
 {
     float *target = texel(r, column, row);
     if (!isnan(*target))
@@ -41,7 +41,7 @@ static void subdivide(Relief *r, int column, int row, const int reach[4])
 
 /* One level: the centres of all cells from their corners, then the middles of the edges from the
  * four texels beside them. */
-static void refine(Relief *r)
+static void refine(DisplacementFound *r)
 {
     static const int diagonal[4] = {1, 1, 1, -1}, straight[4] = {1, 0, 0, 1};
     for (int row = 0; row < r->lines; row += 2)
@@ -58,7 +58,7 @@ void carpenter_bake(const CarpenterRelief *carpenter, float *texels)
 {
     const int width = carpenter->width, height = carpenter->height,
               greater = width > height ? width : height;
-    Relief relief = {
+    DisplacementFound relief = {
         width, height, .lines = 2, .reach = carpenter->noise, java_random(carpenter->seed), texels};
     for (int i = 0; i < width * height; i++)
         texels[i] = NAN;

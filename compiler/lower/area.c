@@ -45,7 +45,7 @@ static Ref octaves_variance(Lower *l, const Octaves *o, const Ref *args, int cou
     return build_convert(ir, variance, o->type);
 }
 
-static Answer octaves(Lower *l, const Octaves *o, Answer p, const Ref *args, int count)
+static MapValue octaves(Lower *l, const Octaves *o, MapValue p, const Ref *args, int count)
 {
     Ir *ir = l->ir;
     Tap taps[MAX_TAPS];
@@ -67,32 +67,32 @@ static Answer octaves(Lower *l, const Octaves *o, Answer p, const Ref *args, int
         all[used++] = edge;
         values[i] = build_call_of(ir, o->filtered, all, used);
     }
-    Answer mean = answer_of(mean_of(l, values, tap_count + !tap_count));
+    MapValue mean = map_value_of(mean_of(l, values, tap_count + !tap_count));
     if (tap_count)
         mean.variance = octaves_variance(l, o, args, count, edge);
     return mean;
 }
 
-static bool is_plain(Lower *l, Answer p)
+static bool is_plain(Lower *l, MapValue p)
 {
     LongCoordinate parts;
     return !footprint_edges(l, p) && !affine_coordinate(l, p.value, 1, &parts);
 }
 
 /* Lowers noise; calls the plain function where nothing is filtered. */
-static Answer noise(Lower *l, int plain, const Octaves *o, Answer p, const Ref args[3])
+static MapValue noise(Lower *l, int plain, const Octaves *o, MapValue p, const Ref args[3])
 {
-    return is_plain(l, p) ? answer_of(call_at(l, plain, p.value, args, 3))
+    return is_plain(l, p) ? map_value_of(call_at(l, plain, p.value, args, 3))
                           : octaves(l, o, p, args, 3);
 }
 
-Answer area_turbulence(Lower *l, Answer p, const Ref args[3])
+MapValue area_turbulence(Lower *l, MapValue p, const Ref args[3])
 {
     static const Octaves scalar = {FN_turbulenceFiltered, FN_turbulenceVariance, TYPE_float, 1};
     return noise(l, FN_turbulence, &scalar, p, args);
 }
 
-Answer area_vector_turbulence(Lower *l, Answer p, const Ref args[3])
+MapValue area_vector_turbulence(Lower *l, MapValue p, const Ref args[3])
 {
     /* Variance of a component 0.26^2, of the scalar noise 1/4; for simplex noise 0.256^2 and
      * 0.232. */
@@ -105,31 +105,31 @@ Answer area_vector_turbulence(Lower *l, Answer p, const Ref args[3])
 }
 
 /* Calls the map's own function at a point. */
-static Answer point(Lower *l, Kind kind, Answer p, const Ref *args, int count)
+static MapValue point(Lower *l, Kind kind, MapValue p, const Ref *args, int count)
 {
-    return answer_of(call_at(l, FN_FIRST_MAP + (int)kind, p.value, args, count));
+    return map_value_of(call_at(l, FN_FIRST_MAP + (int)kind, p.value, args, count));
 }
 
 /* Fades four samples to the mean of all cells where cells are small: from 1.5 cells per pixel
  * on, completely at 3.5. There the samples are noisier than the mean. */
-static Answer far_away(Lower *l, Kind kind, Answer p, const Ref *args, Answer near)
+static MapValue far_away(Lower *l, Kind kind, MapValue p, const Ref *args, MapValue near)
 {
     Ir *ir = l->ir;
     const double begin = 1.5, width = 2;
     Ref edges = kind_table[kind].far == FAR_unknown ? 0 : footprint_edges(l, p);
-    Answer far;
+    MapValue far;
     if (!edges || !cells_far(l, (Far)kind_table[kind].far, args, &far))
         return near;
     Ref beyond = build_sub(ir, footprint_greatest_component(l, edges), build_float(ir, begin));
     Ref share =
         build_clamp(ir, build_scale(ir, beyond, 1 / width), build_float(ir, 0), build_float(ir, 1));
     Ref value = build_mix(ir, near.value, far.value, share);
-    return (Answer){value, build_mix(ir, near.variance, far.variance, share), NULL};
+    return (MapValue){value, build_mix(ir, near.variance, far.variance, share), NULL};
 }
 
 /* Samples the map over the footprint. Returns the mean, and the variance, which is exactly 0
  * where all samples are equal. */
-static Answer sampled(Lower *l, Kind kind, Answer p, const Ref *args, int count)
+static MapValue sampled(Lower *l, Kind kind, MapValue p, const Ref *args, int count)
 {
     Ir *ir = l->ir;
     Ref points[MAX_TAPS], values[MAX_TAPS] = {0}, squares[MAX_TAPS] = {0};
@@ -143,11 +143,11 @@ static Answer sampled(Lower *l, Kind kind, Answer p, const Ref *args, int count)
         Ref apart = build_sub(ir, values[i], mean);
         squares[i] = build_square(ir, apart);
     }
-    return far_away(l, kind, p, args, (Answer){mean, mean_of(l, squares, point_count), NULL});
+    return far_away(l, kind, p, args, (MapValue){mean, mean_of(l, squares, point_count), NULL});
 }
 
 /* Returns closed-form means over boxes, by functions (middle, edges, args). */
-static Answer boxes(Lower *l, Kind kind, Answer p, const Ref *args, int count)
+static MapValue boxes(Lower *l, Kind kind, MapValue p, const Ref *args, int count)
 {
     Tap taps[MAX_TAPS];
     Ref values[MAX_TAPS] = {0}, all[MAX_ARGUMENTS];
@@ -158,23 +158,23 @@ static Answer boxes(Lower *l, Kind kind, Answer p, const Ref *args, int count)
         all[0] = taps[i].edges;
         values[i] = call_at(l, kind_table[kind].mean, taps[i].middle, all, count + 1);
     }
-    return tap_count ? answer_of(mean_of(l, values, tap_count)) : point(l, kind, p, args, count);
+    return tap_count ? map_value_of(mean_of(l, values, tap_count)) : point(l, kind, p, args, count);
 }
 
-static Answer fading(Lower *l, Kind kind, Answer p, const Ref *args, int count)
+static MapValue fading(Lower *l, Kind kind, MapValue p, const Ref *args, int count)
 {
     const Octaves own = {(Function)kind_table[kind].mean, (Function)kind_table[kind].variance,
                          TYPE_float, 1};
     return is_plain(l, p) ? point(l, kind, p, args, count) : octaves(l, &own, p, args, count);
 }
 
-Answer area_volume(Lower *l, Kind kind, Answer p, const Ref *args, int count)
+MapValue area_volume(Lower *l, Kind kind, MapValue p, const Ref *args, int count)
 {
-    static Answer (*const filters[])(Lower *, Kind, Answer, const Ref *,
-                                     int) = {[FILTER_samples] = sampled,
-                                             [FILTER_point] = point,
-                                             [FILTER_box] = boxes,
-                                             [FILTER_octaves] = fading};
+    static MapValue (*const filters[])(Lower *, Kind, MapValue, const Ref *,
+                                       int) = {[FILTER_samples] = sampled,
+                                               [FILTER_point] = point,
+                                               [FILTER_box] = boxes,
+                                               [FILTER_octaves] = fading};
     return filters[kind_table[kind].filter](l, kind, p, args, count);
 }
 
@@ -192,7 +192,7 @@ static Ref within_period(Lower *l, Ref q)
     return part;
 }
 
-Ref area_odd_share(Lower *l, Answer q)
+Ref area_odd_share(Lower *l, MapValue q)
 {
     Ir *ir = l->ir;
     static const char *const component[] = {"x", "y", "z"};

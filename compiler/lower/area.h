@@ -5,14 +5,14 @@
 #include "compiler/lower/footprint.h"
 
 /* Lowers a volume map as a function of a position and its parameters. */
-Answer area_volume(Lower *l, Kind kind, Answer p, const Ref *args, int count);
+MapValue area_volume(Lower *l, Kind kind, MapValue p, const Ref *args, int count);
 /* Lowers turbulence and vectorTurbulence: functions of a position and (octaves, frequencyRatio,
  * noiseRatio). */
-Answer area_turbulence(Lower *l, Answer p, const Ref args[3]);
-Answer area_vector_turbulence(Lower *l, Answer p, const Ref args[3]);
+MapValue area_turbulence(Lower *l, MapValue p, const Ref args[3]);
+MapValue area_vector_turbulence(Lower *l, MapValue p, const Ref args[3]);
 /* Returns the share of the footprint where an odd number of components of q is in the upper half
  * of its period 1; q has two or three components. 0: no footprint, and the point alone decides. */
-Ref area_odd_share(Lower *l, Answer q);
+Ref area_odd_share(Lower *l, MapValue q);
 /* A picture and the function that reads it (sampler, uv, size). */
 typedef struct {
     Function function;

@@ -96,13 +96,13 @@ static Fading fading(Lower *l, const Cells *cells, Ref edge)
     return (Fading){share, variance};
 }
 
-Answer cells_over_pixel(Lower *l, const Cells *cells, Answer q)
+MapValue cells_over_pixel(Lower *l, const Cells *cells, MapValue q)
 {
     Ir *ir = l->ir;
     Tap taps[MAX_TAPS];
     const int count = footprint_taps(l, q, taps);
     if (!count)
-        return answer_of(cells_at(l, cells, q.value, 0));
+        return map_value_of(cells_at(l, cells, q.value, 0));
     const Type type = cells->measure == CELLS_VALUE_centre ? ir_type(ir, q.value) : TYPE_float;
     const Statistics *s =
         &statistics[cells->dimensions - CELLS_FEWEST_DIMENSIONS][cells->distance][cells->measure];
@@ -116,7 +116,7 @@ Answer cells_over_pixel(Lower *l, const Cells *cells, Answer q)
         sum = sum ? build_add(ir, sum, faded) : faded;
     }
     Ref variance = build_splat(ir, fade.variance, type);
-    return (Answer){count > 1 ? build_scale(ir, sum, 1.0 / count) : sum, variance, NULL};
+    return (MapValue){count > 1 ? build_scale(ir, sum, 1.0 / count) : sum, variance, NULL};
 }
 
 Ref cells_of(Lower *l, Ref p, bool edge)
@@ -124,15 +124,15 @@ Ref cells_of(Lower *l, Ref p, bool edge)
     const Cells cells = {.dimensions = CELLS_MAX_DIMENSIONS,
                          .measure = edge ? CELLS_VALUE_edge : CELLS_VALUE_F1,
                          .jitter = build_float(l->ir, 1)};
-    return cells_over_pixel(l, &cells, answer_of(p)).value;
+    return cells_over_pixel(l, &cells, map_value_of(p)).value;
 }
 
-bool cells_far(Lower *l, Far far, const Ref *args, Answer *made)
+bool cells_far(Lower *l, Far far, const Ref *args, MapValue *made)
 {
     Ir *ir = l->ir;
     enum { JITTER, STYLE, DIMENSIONS };
     Ref mean = build_float(ir, 0.5);
-    *made = (Answer){mean, build_float(ir, 1.0 / 12), NULL};
+    *made = (MapValue){mean, build_float(ir, 1.0 / 12), NULL};
     if (far == FAR_number)
         return true;
     if (far != FAR_point || !ir_is(ir, args[STYLE], OP_const) ||
@@ -145,6 +145,6 @@ bool cells_far(Lower *l, Far far, const Ref *args, Answer *made)
                              build_clamp(ir, args[JITTER], build_float(ir, 0), build_float(ir, 1))};
     const Statistics *s = &statistics[!flat][0][CELLS_VALUE_F1];
     mean = by_jitter(l, &cells, s->mean);
-    *made = (Answer){mean, by_jitter(l, &cells, s->variance), NULL};
+    *made = (MapValue){mean, by_jitter(l, &cells, s->variance), NULL};
     return true;
 }

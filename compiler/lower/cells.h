@@ -24,12 +24,12 @@ typedef struct {
 Ref cells_at(Lower *l, const Cells *cells, Ref q, Ref beside);
 /* Returns the mean over the pixel, as one box or several. The mean of the cell center is the
  * position itself. */
-Answer cells_over_pixel(Lower *l, const Cells *cells, Answer q);
+MapValue cells_over_pixel(Lower *l, const Cells *cells, MapValue q);
 /* Returns the distances to the feature points around a position as formulas use them: F1 or
  * `edge`. */
 Ref cells_of(Lower *l, Ref p, bool edge);
 /* Returns the mean and variance over many cells of a MaterialX cell map, from its arguments:
  * only the last, `dimensions`, for a number; `jitter`, `style`, `dimensions` for a point.
  * Returns false if the arguments are not known at compile time. */
-bool cells_far(Lower *l, Far far, const Ref *args, Answer *made);
+bool cells_far(Lower *l, Far far, const Ref *args, MapValue *made);
 #endif

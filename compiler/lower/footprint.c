@@ -53,7 +53,7 @@ static Ref with_variance(Lower *l, Ref edges, Ref variance)
     return build_sqrt(ir, edges ? build_add(ir, build_square(ir, edges), square) : square);
 }
 
-Ref footprint_longer(Lower *l, Answer coordinate, Ref *edges)
+Ref footprint_longer(Lower *l, MapValue coordinate, Ref *edges)
 {
     Ir *ir = l->ir;
     Ref right = slope_detached(l, coordinate.value, DIRECTION_right),
@@ -67,7 +67,7 @@ Ref footprint_longer(Lower *l, Answer coordinate, Ref *edges)
     return longer;
 }
 
-int footprint_taps(Lower *l, Answer coordinate, Tap taps[MAX_TAPS])
+int footprint_taps(Lower *l, MapValue coordinate, Tap taps[MAX_TAPS])
 {
     Ir *ir = l->ir;
     Ref edges = footprint_edges(l, coordinate);
@@ -106,7 +106,7 @@ int footprint_points(Lower *l, Ref coordinate, Ref points[MAX_TAPS])
     return MAX_TAPS;
 }
 
-Ref footprint_edges(Lower *l, Answer a)
+Ref footprint_edges(Lower *l, MapValue a)
 {
     if (!footprint_is_filtered(l))
         return 0;

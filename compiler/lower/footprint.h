@@ -2,7 +2,7 @@
  * that a mean has left out. */
 #ifndef MATC_FOOTPRINT_H
 #define MATC_FOOTPRINT_H
-#include "compiler/lower/answer.h"
+#include "compiler/lower/map_value.h"
 #include "compiler/lower/slope.h"
 
 enum {
@@ -23,10 +23,10 @@ bool footprint_is_filtered(const Lower *l);
 /* Boxes of equal weight that cover the pixel's footprint on a coordinate: one, or with
  * --aa=aniso MAX_TAPS along the longer side. Returns their number; 0: the coordinate is
  * constant over the pixel. */
-int footprint_taps(Lower *l, Answer coordinate, Tap taps[MAX_TAPS]);
+int footprint_taps(Lower *l, MapValue coordinate, Tap taps[MAX_TAPS]);
 /* Returns the longer side of the footprint, and the edges of the boxes along it; 0 unless
  * --aa=aniso. */
-Ref footprint_longer(Lower *l, Answer coordinate, Ref *edges);
+Ref footprint_longer(Lower *l, MapValue coordinate, Ref *edges);
 /* Returns MAX_TAPS points distributed over the footprint, for functions without a closed mean;
  * 0 as above. */
 int footprint_points(Lower *l, Ref coordinate, Ref points[MAX_TAPS]);
@@ -34,7 +34,7 @@ int footprint_points(Lower *l, Ref coordinate, Ref points[MAX_TAPS]);
  * from its slope and the variance it has left out. 0: the value is constant. Otherwise the edges
  * are shader values that may be 0; a box without edges is its center, so divisions by an edge
  * need a guard. */
-Ref footprint_edges(Lower *l, Answer a);
+Ref footprint_edges(Lower *l, MapValue a);
 /* Returns the maximum over the components. */
 Ref footprint_greatest_component(Lower *l, Ref value);
 /* Splits `scale` times a coordinate into an integer and a fraction in [-1/2, 1/2], for

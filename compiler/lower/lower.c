@@ -1,6 +1,6 @@
 /* The framework of lowering: queries of maps, their memo table, parameters as IR. */
 #include "compiler/lower/area.h"
-#include "compiler/lower/relief.h"
+#include "compiler/lower/bump.h"
 #include <string.h>
 
 enum {
@@ -8,11 +8,11 @@ enum {
     FIRST_MEMO = 32 /* initial capacity of the memo table, enough for a small document */
 };
 
-typedef Answer (*LowerMap)(Lower *l, const Node *node, Group group, const Env *env);
+typedef MapValue (*LowerMap)(Lower *l, const Node *node, Group group, const Env *env);
 
 /* Lowers a volume map. The value is the same on every channel: the function of the position,
  * then its wave. */
-static Answer lower_volume(Lower *l, const Node *node, Group group, const Env *env);
+static MapValue lower_volume(Lower *l, const Node *node, Group group, const Env *env);
 
 #define OWN_LOWERING(name)    lower_##name
 #define VOLUME_LOWERING(name) lower_volume
@@ -147,12 +147,12 @@ static void note_averageable(Lower *l, const Node *map, Group group, const Env *
     l->averageable.mingled |= !met.outside;
 }
 
-Answer lower_answer(Lower *l, const Node *map, Group group, const Env *env)
+MapValue lower_map_value(Lower *l, const Node *map, Group group, const Env *env)
 {
     if (!map || group_is_draws(group))
-        return answer_of(root_of(l, group, env));
+        return map_value_of(root_of(l, group, env));
     if (env->relief && !map->steps)
-        return relief_smooth(l, map, group, env);
+        return bump_smooth(l, map, group, env);
     uint64_t key =
         ((uint64_t)(2 * env->number + env->relief) << 32 | (uint64_t)map->index) * GROUP_COUNT +
         group + 1;
@@ -166,7 +166,7 @@ Answer lower_answer(Lower *l, const Node *map, Group group, const Env *env)
         if (!l->failed)
             diag_add(l->session, map->span, DIAG_graph_too_large, LIMIT_IR_NODES);
         l->failed = true;
-        return answer_of(env->root[group]);
+        return map_value_of(env->root[group]);
     }
     uint32_t origin = l->ir->origin;
     const Node *above = l->map;
@@ -177,7 +177,7 @@ Answer lower_answer(Lower *l, const Node *map, Group group, const Env *env)
         !l->filters)
         note_averageable(l, map, group, env);
     l->averaged = l->job->choice[AXIS_aa] == CHOICE_aa_auto && footprint_is_filtered(l);
-    Answer answer = lower_map[map->kind](l, map, group, env);
+    MapValue answer = lower_map[map->kind](l, map, group, env);
     l->map = above;
     lower_mark_head(l->ir, answer.value, l->ir->origin);
     l->ir->origin = origin;
@@ -220,26 +220,26 @@ MapCosts lower_map_costs(const Node *map, int limit)
 
 bool lower_wants_branch(const Node *map) { return lower_map_costs(map, MIN_ARM).points >= MIN_ARM; }
 
-Answer lower_arm(Lower *l, const Node *map, Group group, const Env *env)
+MapValue lower_arm(Lower *l, const Node *map, Group group, const Env *env)
 {
     const bool branches = lower_wants_branch(map);
     l->arms += branches;
-    Answer answer = lower_answer(l, map, group, env);
+    MapValue answer = lower_map_value(l, map, group, env);
     l->arms -= branches;
     return answer;
 }
 
-Ref lower_ask(Lower *l, const Node *map, Group group, const Env *env)
+Ref lower_query(Lower *l, const Node *map, Group group, const Env *env)
 {
-    return lower_answer(l, map, group, env).value;
+    return lower_map_value(l, map, group, env).value;
 }
 
-Answer lower_waved(Lower *l, const Node *node, Answer f)
+MapValue lower_waved(Lower *l, const Node *node, MapValue f)
 {
     enum { WAVE_FORM = 1, FREQUENCY, PHASE };
     const Value *wave = &node->params[WAVE_FORM];
-    Answer v = answer_scaled(l, f, lower_param(l, &node->params[FREQUENCY], TYPE_float));
-    v = answer_moved(l, v, lower_param(l, &node->params[PHASE], TYPE_float));
+    MapValue v = map_value_scaled(l, f, lower_param(l, &node->params[FREQUENCY], TYPE_float));
+    v = map_value_moved(l, v, lower_param(l, &node->params[PHASE], TYPE_float));
     return wave->kind == VALUE_wave ? lower_wave(l, wave->wave, v) : v;
 }
 
@@ -252,40 +252,43 @@ typedef struct {
     int count;
 } Volume;
 
-static Answer volume_answer(Lower *l, const Volume *v, Answer p)
+static MapValue volume_map_value(Lower *l, const Volume *v, MapValue p)
 {
     return lower_waved(l, v->node, area_volume(l, v->node->kind, p, v->args, v->count));
 }
 
-static Ref volume_at(Lower *l, const void *map, Answer p) { return volume_answer(l, map, p).value; }
+static Ref volume_at(Lower *l, const void *map, MapValue p)
+{
+    return volume_map_value(l, map, p).value;
+}
 
-static Answer lower_volume(Lower *l, const Node *node, Group group, const Env *env)
+static MapValue lower_volume(Lower *l, const Node *node, Group group, const Env *env)
 {
     enum { FIRST_OWN = 4 };
     const KindRow *row = &kind_table[node->kind];
     const Node *input = node->params[0].kind == VALUE_node ? node->params[0].node : NULL;
     Volume volume = {.node = node};
-    Stepped steps = {.at = volume_at, .map = &volume, .q = lower_answer(l, input, GROUP_X, env)};
+    Stepped steps = {.at = volume_at, .map = &volume, .q = lower_map_value(l, input, GROUP_X, env)};
     for (int i = FIRST_OWN; i < row->count; i++) {
         static const Type type_of[] = {
             [PARAM_Float] = TYPE_float, [PARAM_Int] = TYPE_int, [PARAM_Vec3] = TYPE_vec3};
         volume.args[volume.count++] =
             lower_param(l, &node->params[i], type_of[param_table[row->first + i].type]);
     }
-    Answer answer = volume_answer(l, &volume, steps.q);
+    MapValue answer = volume_map_value(l, &volume, steps.q);
     for (int i = 0; i < row->step_components; i++)
         steps.step[i] = row->step;
     if (row->step_components)
-        relief_step(l, answer.value, &steps);
-    return answer_as_group(l, answer, group);
+        bump_step(l, answer.value, &steps);
+    return map_value_as_group(l, answer, group);
 }
 
 /* Lowers a Gradient: dot(p, direction). */
-Answer lower_Gradient(Lower *l, const Node *node, Group group, const Env *env)
+MapValue lower_Gradient(Lower *l, const Node *node, Group group, const Env *env)
 {
-    Answer p = lower_answer(l, lower_param_node(node, P_Gradient_input), GROUP_X, env);
+    MapValue p = lower_map_value(l, lower_param_node(node, P_Gradient_input), GROUP_X, env);
     Ref direction = lower_param(l, node_param(node, P_Gradient_direction), TYPE_vec3);
-    return answer_as_group(l, lower_waved(l, node, answer_dot(l, p, direction)), group);
+    return map_value_as_group(l, lower_waved(l, node, map_value_dot(l, p, direction)), group);
 }
 
 /* Returns a = max(|omega|, 1)^(1 - n), which normalizes the sum of octaves that grow. */
@@ -297,7 +300,7 @@ static Ref octave_scale(Lower *l, Ref omega, double octaves)
 }
 
 /* Lowers a VolumeTurbulence: a Turb(size p). */
-Answer lower_VolumeTurbulence(Lower *l, const Node *node, Group group, const Env *env)
+MapValue lower_VolumeTurbulence(Lower *l, const Node *node, Group group, const Env *env)
 {
     enum { MAX_OCTAVES = 11 };
     const Value *octaves = node_param(node, P_VolumeTurbulence_octaves);
@@ -305,12 +308,12 @@ Answer lower_VolumeTurbulence(Lower *l, const Node *node, Group group, const Env
     double given[4];
     value_number(octaves, TYPE_float, given);
     double n = clamp(given[0], 1, MAX_OCTAVES);
-    Answer p = lower_answer(l, lower_param_node(node, P_VolumeTurbulence_input), GROUP_X, env);
+    MapValue p = lower_map_value(l, lower_param_node(node, P_VolumeTurbulence_input), GROUP_X, env);
     Ref omega = lower_param(l, node_param(node, P_VolumeTurbulence_noiseRatio), TYPE_float);
     Ref size = lower_param(l, node_param(node, P_VolumeTurbulence_size), TYPE_float);
     Ref frequency = lower_param(l, node_param(node, P_VolumeTurbulence_frequencyRatio), TYPE_float);
-    p = answer_scaled(l, p, size);
-    Answer f = area_turbulence(l, p, (Ref[]){build_int(l->ir, n), frequency, omega});
-    f = answer_scaled(l, f, octave_scale(l, omega, n));
-    return answer_as_group(l, lower_waved(l, node, f), group);
+    p = map_value_scaled(l, p, size);
+    MapValue f = area_turbulence(l, p, (Ref[]){build_int(l->ir, n), frequency, omega});
+    f = map_value_scaled(l, f, octave_scale(l, omega, n));
+    return map_value_as_group(l, lower_waved(l, node, f), group);
 }

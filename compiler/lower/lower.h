@@ -16,7 +16,7 @@ typedef struct {
     Ref eye_n;  /* the root normal in eye space; 0: apply eyeFromWorld */
     int number; /* memo key: depth of nested filters and Triplanar's Place */
     /* Also part of the memo key: set within a displacement whose slopes by u and v are wanted;
-     * relief.c. */
+     * bump.c. */
     bool relief;
 } Env;
 
@@ -27,25 +27,25 @@ typedef enum { DIRECTION_right, DIRECTION_up, DIRECTION_u, DIRECTION_v, DIRECTIO
 /* A map's value: with --aa its mean over the pixel, and its known variation there.
  * The variation depends on the queried maps, never on IR nodes: where the builder merges two
  * values into one node, each value keeps its own, so programs of all -O levels antialias alike.
- * answer.h */
+ * map_value.h */
 typedef struct {
     Ref value;
     /* Variance within the pixel, per component, that the mean's slope does not account for; has
      * the value's type; 0: none. */
     Ref variance;
     const struct Split *split; /* NULL: the value is not known to be one of two values */
-} Answer;
+} MapValue;
 
 /* A value that is one of two everywhere in the pixel; nonlinear operations must be applied to
  * both. */
 typedef struct Split {
     Ref by; /* share of the pixel that has a's value; or a bool: all of the pixel has */
-    Answer a, b;
+    MapValue a, b;
 } Split;
 
 typedef struct {
     uint64_t key; /* combines node, group and environment; 0: the entry is empty */
-    Answer answer;
+    MapValue answer;
     bool averaged; /* this map, or one below, was averaged over the pixel */
 } Memo;
 
@@ -55,7 +55,7 @@ typedef struct {
     int number;    /* number of the material's environment */
     bool averaged; /* the value depends on a mean over the pixel, as in Memo */
     Ref value;     /* 0: the slot has not been lowered yet */
-} SlotAnswer;
+} SlotValue;
 
 typedef struct {
     Ref u, v;
@@ -67,7 +67,7 @@ typedef struct {
     int count;             /* number of transforms */
     const Node *transform; /* the transform, if count is 1 */
     Slopes column[2];      /* if count > 1: images of (1, 0) and (0, 1) */
-} Turn;
+} UvTransformChain;
 
 /* An environment in which a Triplanar queries its maps: a texture coordinate within the
  * environment of number `outer`. */
@@ -112,7 +112,7 @@ typedef struct {
     bool averaged;       /* the current map, or one below, was averaged */
     /* Current nesting of alternatives that are likely to become a branch. */
     int arms;
-    bool relief;                    /* within a displacement of --derivatives=auto; relief.c */
+    bool relief;                    /* within a displacement of --derivatives=auto; bump.c */
     Manner outside;                 /* options outside of the displacement */
     bool cheap;                     /* -O1 and up: use cheaper forms instead of the plainest */
     Ref (*slopes)[DIRECTION_COUNT]; /* derivatives found so far, by Ref; slope.c */
@@ -124,18 +124,19 @@ typedef struct {
     Place *places; /* the places of all Triplanars; lower_triplanar.c */
     size_t place_count, place_capacity;
     HashIndex place_index;
-    Turn *turns; /* UV transform chains by node; lower_normal.c */
+    UvTransformChain *turns; /* UV transform chains by node; lower_normal.c */
     size_t turn_capacity;
-    SlotAnswer asked[SLOT_COUNT];
+    SlotValue asked[SLOT_COUNT];
     struct SlotMemo *slots; /* by node and slot: slots of mixed materials; lower_mix.c */
     Affine affine;          /* state of affine.c: affine forms of values */
     unsigned layout_slots;  /* the slots that the job's layout stores: layout_slots() */
     uint8_t *uniform_use;   /* by uniform: 1 used as a count, 2 as a number */
     /* Blends whose coordinates are checked at the end, last first; lower_lint.c. */
     const struct Crossing *crossing;
-    const struct Relief *reliefs; /* displacements whose slopes are checked, last first */
-    bool detached;                /* slopes were marked by OP_detach as a footprint's */
-    bool failed;                  /* a diagnostic was reported */
+    const struct DisplacementFound
+        *reliefs;  /* displacements whose slopes are checked, last first */
+    bool detached; /* slopes were marked by OP_detach as a footprint's */
+    bool failed;   /* a diagnostic was reported */
 } Lower;
 
 /* Returns the environment of a point of a rasterized surface. lower_pass.c */
@@ -166,9 +167,9 @@ Env lower_pass_env(Lower *l);
 
 /* Lowers a map's group of channels; a NULL map is the surface. R has the type that the map
  * makes, IOR is a float, the others are vec3. */
-Answer lower_answer(Lower *l, const Node *map, Group group, const Env *env);
-/* Returns the value alone of lower_answer(). */
-Ref lower_ask(Lower *l, const Node *map, Group group, const Env *env);
+MapValue lower_map_value(Lower *l, const Node *map, Group group, const Env *env);
+/* Returns the value alone of lower_map_value(). */
+Ref lower_query(Lower *l, const Node *map, Group group, const Env *env);
 /* Estimate from the cost tables: operations of a map or material without means, counted up to
  * `limit`, and the number of its maps that may be averaged. */
 typedef struct {
@@ -177,9 +178,9 @@ typedef struct {
 MapCosts lower_map_costs(const Node *map, int limit);
 /* Returns true if the map is costly enough to be computed only where it is visible. */
 bool lower_wants_branch(const Node *map);
-/* Calls lower_answer() for a map that is one of several alternatives, whose evaluation may move
+/* Calls lower_map_value() for a map that is one of several alternatives, whose evaluation may move
  * into a branch. */
-Answer lower_arm(Lower *l, const Node *map, Group group, const Env *env);
+MapValue lower_arm(Lower *l, const Node *map, Group group, const Env *env);
 void lower_mark_head(Ir *ir, Ref value, uint32_t origin);
 /* Converts a color to another group's value: component 0 for IOR, otherwise three components. */
 Ref lower_as_group(Lower *l, Ref value, Group group);
@@ -277,14 +278,14 @@ unsigned lower_needed_slots(Lower *l, const Node *material, const Env *env);
 /* Records the coordinate of a Blend with items, and the slopes of a displacement (0: none), for
  * lower_lint(). lower_lint.c */
 void lower_note_crossing(Lower *l, const Node *blend, Ref coordinate);
-void lower_note_relief(Lower *l, const Node *displacement, Ref by_u, Ref by_v);
+void lower_note_bump(Lower *l, const Node *displacement, Ref by_u, Ref by_v);
 /* Warns, after lowering, of Blends whose items are never reached, and of displacements whose
  * slopes are all 0. */
 void lower_lint(Lower *l);
-Answer lower_wave(Lower *l, const Wave *wave, Answer v);
+MapValue lower_wave(Lower *l, const Wave *wave, MapValue v);
 /* Applies a wave: w(frequency f + phase), where w is the node's wave; the node's first four
  * parameters are those of VOLUME_PARAMS. */
-Answer lower_waved(Lower *l, const Node *node, Answer f);
+MapValue lower_waved(Lower *l, const Node *node, MapValue f);
 /* Converts derivatives by u and v to the one by the coordinate that a UVTransform makes. With J
  * the inverse of its matrix, d/du' = d/du J00 + d/dv J10, and d/dv' = d/du J01 + d/dv J11.
  * Applies to tangents and slopes; `group` is GROUP_DU or GROUP_DV. */
@@ -315,7 +316,7 @@ Ref lower_principled_of_phong(Lower *l, Slot slot, const PhongSlots *phong);
 Ref lower_phong_of_principled(Lower *l, const Node *material, Slot slot, const Env *env);
 
 #define MAP(name, function, lowering, cost, doc)                                                   \
-    Answer lower_##name(Lower *l, const Node *node, Group group, const Env *env);
+    MapValue lower_##name(Lower *l, const Node *node, Group group, const Env *env);
 #include "grammar/maps.def"
 /* Value of a material's slot; a normal has no unit length yet and is not flipped to the viewer's
  * side. */

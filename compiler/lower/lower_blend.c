@@ -17,7 +17,7 @@
  *     maps a, b, c: items a and b at 1/2, b and c at 3/2. A pixel whose number is in [1, 2] is
  *     (b + c) / 2 */
 #include "compiler/lower/blend.h"
-#include "compiler/lower/answer.h"
+#include "compiler/lower/map_value.h"
 #include "compiler/lower/footprint.h"
 #include <string.h>
 
@@ -147,14 +147,14 @@ static Ref blend_guards(Lower *l, Ref t, const Stop *stops, int count)
     return noted(l, sum, &(Blended){t, stops, own, count});
 }
 
-static Answer blend_components(Lower *l, Answer t, const Stop *stops, int count)
+static MapValue blend_components(Lower *l, MapValue t, const Stop *stops, int count)
 {
     if (count > MAX_AREA_ITEMS || !ascending(l->ir, stops, count, false))
-        return answer_of(blend_point(l, t.value, stops, count));
+        return map_value_of(blend_point(l, t.value, stops, count));
     Ref edge = footprint_edges(l, t);
     Ref sum =
         edge ? blend_over(l, t.value, edge, stops, count) : blend_guards(l, t.value, stops, count);
-    Answer blend = answer_of(sum ? sum : blend_point(l, t.value, stops, count));
+    MapValue blend = map_value_of(sum ? sum : blend_point(l, t.value, stops, count));
     blend.variance = blend_variance(l, t.value, edge, stops, count);
     return blend;
 }
@@ -165,7 +165,7 @@ static Ref common_alpha(Lower *l, const Stop *stops, int count)
 {
     Ref alpha = 0;
     for (int i = 0; i < count; i++) {
-        Ref own = answer_alpha(l, stops[i].result);
+        Ref own = map_value_alpha(l, stops[i].result);
         if (!own || (alpha && own != alpha))
             return 0;
         alpha = own;
@@ -175,7 +175,7 @@ static Ref common_alpha(Lower *l, const Stop *stops, int count)
 
 /* Blends colors; an alpha that all items have is kept as it is, so that opaque items stay
  * opaque. */
-static Answer blend_at(Lower *l, Answer t, const Stop *stops, int count)
+static MapValue blend_at(Lower *l, MapValue t, const Stop *stops, int count)
 {
     Ir *ir = l->ir;
     Ref alpha = common_alpha(l, stops, count);
@@ -187,8 +187,8 @@ static Answer blend_at(Lower *l, Answer t, const Stop *stops, int count)
         Ref variance = stops[i].variance ? build_swizzle(ir, stops[i].variance, "xyz") : 0;
         color[i] = (Stop){stops[i].value, result, variance};
     }
-    Answer blend = blend_components(l, t, color, count);
-    Answer whole = answer_of(build_vec(ir, TYPE_vec4, blend.value, alpha));
+    MapValue blend = blend_components(l, t, color, count);
+    MapValue whole = map_value_of(build_vec(ir, TYPE_vec4, blend.value, alpha));
     if (blend.variance)
         whole.variance = build_vec(ir, TYPE_vec4, blend.variance, build_float(ir, 0));
     return whole;
@@ -196,13 +196,13 @@ static Answer blend_at(Lower *l, Answer t, const Stop *stops, int count)
 
 /* Blends along a coordinate. If the coordinate is one of two values within the pixel, returns
  * the mean of both blends, since a Blend is not linear. */
-static Answer blend_split(Lower *l, Answer x, const Stop *stops, int count, int depth)
+static MapValue blend_split(Lower *l, MapValue x, const Stop *stops, int count, int depth)
 {
     if (!x.split || depth == 0)
-        return blend_at(l, answer_swizzle(l, x, "x"), stops, count);
-    Answer a = blend_split(l, x.split->a, stops, count, depth - 1);
-    Answer b = blend_split(l, x.split->b, stops, count, depth - 1);
-    return answer_either(l, x.split->by, a, b);
+        return blend_at(l, map_value_swizzle(l, x, "x"), stops, count);
+    MapValue a = blend_split(l, x.split->a, stops, count, depth - 1);
+    MapValue b = blend_split(l, x.split->b, stops, count, depth - 1);
+    return map_value_either(l, x.split->by, a, b);
 }
 
 /* Returns the items, converted to one type. */
@@ -210,41 +210,41 @@ static Stop *stops_of(Lower *l, const Value *blend, Group group, const Env *env)
 {
     const int count = blend->items->count;
     Stop *stops = ARENA_ARRAY(l->session->arena, Stop, count);
-    Answer *answers = ARENA_ARRAY(l->session->arena, Answer, count);
+    MapValue *answers = ARENA_ARRAY(l->session->arena, MapValue, count);
     Type type = TYPE_float;
     for (int i = 0; i < count; i++) {
         const Item *item = &blend->items->item[i];
         stops[i].value = lower_param(l, &item->value, TYPE_float);
         answers[i] = lower_arm(l, item->input, group, env);
         Type own = ir_type(l->ir, answers[i].value);
-        type = i ? answer_common_type(type, own) : own;
+        type = i ? map_value_common_type(type, own) : own;
     }
     for (int i = 0; i < count; i++) {
-        Answer wide = answer_widened(l, answers[i], type);
+        MapValue wide = map_value_widened(l, answers[i], type);
         stops[i].result = wide.value;
         stops[i].variance = wide.variance;
     }
     return stops;
 }
 
-Answer lower_Blend(Lower *l, const Node *node, Group group, const Env *env)
+MapValue lower_Blend(Lower *l, const Node *node, Group group, const Env *env)
 {
     Ir *ir = l->ir;
     const Value *blend = node_param(node, P_Blend_blend);
     const Node *input = lower_param_node(node, P_Blend_input);
     int count = blend->kind == VALUE_items ? blend->items->count : 0;
     if (!count || l->failed)
-        return lower_answer(l, input, group, env);
-    Answer x = lower_answer(l, input, GROUP_X, env);
+        return lower_map_value(l, input, group, env);
+    MapValue x = lower_map_value(l, input, GROUP_X, env);
     /* recorded before the items are lowered */
     lower_note_crossing(l, node, build_swizzle(ir, x.value, "x"));
     const Stop *stops = stops_of(l, blend, group, env);
     if (count > LIMIT_WALK && !ascending(ir, stops, count, true)) {
         diag_add(l->session, blend->span, DIAG_long_walk, LIMIT_WALK);
         l->failed = true;
-        return answer_of(stops[0].result);
+        return map_value_of(stops[0].result);
     }
-    Answer answer = blend_split(l, x, stops, count, MAX_SPLITS);
+    MapValue answer = blend_split(l, x, stops, count, MAX_SPLITS);
     /* A Blend in a displacement is no split value any more: a Blend along it uses its slope. */
     if (l->relief)
         answer.split = NULL;
@@ -252,11 +252,11 @@ Answer lower_Blend(Lower *l, const Node *node, Group group, const Env *env)
 }
 
 /* Interpolates linearly from a to b as t goes from 0 to 1. */
-static Answer ramp(Lower *l, Answer t, Answer a, Answer b)
+static MapValue ramp(Lower *l, MapValue t, MapValue a, MapValue b)
 {
-    const Type type = answer_common_type(ir_type(l->ir, a.value), ir_type(l->ir, b.value));
-    a = answer_widened(l, a, type);
-    b = answer_widened(l, b, type);
+    const Type type = map_value_common_type(ir_type(l->ir, a.value), ir_type(l->ir, b.value));
+    a = map_value_widened(l, a, type);
+    b = map_value_widened(l, b, type);
     /* on the arena: slopes are queried later */
     Stop *stops = ARENA_ARRAY(l->session->arena, Stop, 2);
     stops[0] = (Stop){build_float(l->ir, 0), a.value, a.variance};
@@ -264,49 +264,51 @@ static Answer ramp(Lower *l, Answer t, Answer a, Answer b)
     return blend_at(l, t, stops, 2);
 }
 
-Answer lower_Ramp(Lower *l, const Node *node, Group group, const Env *env)
+MapValue lower_Ramp(Lower *l, const Node *node, Group group, const Env *env)
 {
     const bool along_v = node_param(node, P_Ramp_along)->number[0] == KEYWORD_Axis_v;
-    Answer t =
-        answer_swizzle(l, lower_answer(l, lower_param_node(node, P_Ramp_input), GROUP_U, env),
-                       along_v ? "y" : "x");
-    Answer a = lower_arm(l, lower_param_node(node, P_Ramp_a), group, env);
+    MapValue t =
+        map_value_swizzle(l, lower_map_value(l, lower_param_node(node, P_Ramp_input), GROUP_U, env),
+                          along_v ? "y" : "x");
+    MapValue a = lower_arm(l, lower_param_node(node, P_Ramp_a), group, env);
     return ramp(l, t, a, lower_arm(l, lower_param_node(node, P_Ramp_b), group, env));
 }
 
-Answer lower_CornerRamp(Lower *l, const Node *node, Group group, const Env *env)
+MapValue lower_CornerRamp(Lower *l, const Node *node, Group group, const Env *env)
 {
-    const Answer uvw = lower_answer(l, lower_param_node(node, P_CornerRamp_input), GROUP_U, env);
-    const Answer s = answer_swizzle(l, uvw, "x"), t = answer_swizzle(l, uvw, "y");
-    Answer corner[4];
+    const MapValue uvw =
+        lower_map_value(l, lower_param_node(node, P_CornerRamp_input), GROUP_U, env);
+    const MapValue s = map_value_swizzle(l, uvw, "x"), t = map_value_swizzle(l, uvw, "y");
+    MapValue corner[4];
     for (int i = 0; i < 4; i++)
         corner[i] = lower_arm(l, lower_param_node(node, P_CornerRamp_bottomLeft + i), group, env);
-    const Answer bottom = ramp(l, s, corner[0], corner[1]), top = ramp(l, s, corner[2], corner[3]);
+    const MapValue bottom = ramp(l, s, corner[0], corner[1]),
+                   top = ramp(l, s, corner[2], corner[3]);
     return ramp(l, t, bottom, top);
 }
 
 /* Maps first..last; the map nearest to `number` is chosen. */
 typedef struct {
     Ref number;
-    const Answer *maps;
+    const MapValue *maps;
     int first, last;
 } Choices;
 
 /* Returns the choice at a point, by bisection. */
-static Answer chosen_of(Lower *l, Choices c)
+static MapValue chosen_of(Lower *l, Choices c)
 {
     if (c.first == c.last)
         return c.maps[c.first];
     const int middle = c.first + (c.last - c.first) / 2;
     Ref below = build_lt(l->ir, c.number, build_float(l->ir, middle + .5));
-    const Answer low = chosen_of(l, (Choices){c.number, c.maps, c.first, middle});
-    return answer_either(l, below, low,
-                         chosen_of(l, (Choices){c.number, c.maps, middle + 1, c.last}));
+    const MapValue low = chosen_of(l, (Choices){c.number, c.maps, c.first, middle});
+    return map_value_either(l, below, low,
+                            chosen_of(l, (Choices){c.number, c.maps, middle + 1, c.last}));
 }
 
 /* Returns the choice over a box of the number; with more maps than MAX_AREA_ITEMS allows, at
  * its center. */
-static Answer chosen_at(Lower *l, Answer number, const Answer *maps, int count)
+static MapValue chosen_at(Lower *l, MapValue number, const MapValue *maps, int count)
 {
     Ref edge = 2 * (count - 1) <= MAX_AREA_ITEMS ? footprint_edges(l, number) : 0;
     Stop *stops = ARENA_ARRAY(l->session->arena, Stop, 2 * count);
@@ -314,10 +316,10 @@ static Answer chosen_at(Lower *l, Answer number, const Answer *maps, int count)
     if (!edge || count == 1)
         return chosen_of(l, (Choices){number.value, maps, 0, count - 1});
     for (int i = 0; i < count; i++)
-        type = i ? answer_common_type(type, ir_type(l->ir, maps[i].value))
+        type = i ? map_value_common_type(type, ir_type(l->ir, maps[i].value))
                  : ir_type(l->ir, maps[i].value);
     for (int i = 0; i < 2 * (count - 1); i++) {
-        const Answer wide = answer_widened(l, maps[(i + 1) / 2], type);
+        const MapValue wide = map_value_widened(l, maps[(i + 1) / 2], type);
         stops[i] = (Stop){build_float(l->ir, i / 2 + .5), wide.value, wide.variance};
     }
     return blend_at(l, number, stops, 2 * (count - 1));
@@ -325,27 +327,27 @@ static Answer chosen_at(Lower *l, Answer number, const Answer *maps, int count)
 
 /* Chooses by a number. If the number is one of two values within the pixel, returns the mean of
  * both choices; in a displacement the choice is made at the point. */
-static Answer chosen_split(Lower *l, Answer x, const Answer *maps, int count, int depth)
+static MapValue chosen_split(Lower *l, MapValue x, const MapValue *maps, int count, int depth)
 {
     if (!x.split || depth == 0 || l->relief)
-        return chosen_at(l, answer_swizzle(l, x, "x"), maps, count);
+        return chosen_at(l, map_value_swizzle(l, x, "x"), maps, count);
     const Split *split = x.split;
-    const Answer a = chosen_split(l, split->a, maps, count, depth - 1);
-    const Answer b = chosen_split(l, split->b, maps, count, depth - 1);
-    return answer_either(l, split->by, a, b);
+    const MapValue a = chosen_split(l, split->a, maps, count, depth - 1);
+    const MapValue b = chosen_split(l, split->b, maps, count, depth - 1);
+    return map_value_either(l, split->by, a, b);
 }
 
-Answer lower_Switch(Lower *l, const Node *node, Group group, const Env *env)
+MapValue lower_Switch(Lower *l, const Node *node, Group group, const Env *env)
 {
     const Value *list = node_param(node, P_Switch_maps);
     const int count = list->kind == VALUE_items ? list->items->count : 0;
     if (!count || l->failed)
-        return answer_as_group(l, answer_of(build_float(l->ir, 0)), group);
-    const Answer x = lower_answer(l, lower_param_node(node, P_Switch_which), GROUP_R, env);
-    Answer *maps = ARENA_ARRAY(l->session->arena, Answer, count);
+        return map_value_as_group(l, map_value_of(build_float(l->ir, 0)), group);
+    const MapValue x = lower_map_value(l, lower_param_node(node, P_Switch_which), GROUP_R, env);
+    MapValue *maps = ARENA_ARRAY(l->session->arena, MapValue, count);
     for (int i = 0; i < count; i++)
         maps[i] = lower_arm(l, list->items->item[i].input, group, env);
-    Answer answer = chosen_split(l, x, maps, count, MAX_SPLITS);
+    MapValue answer = chosen_split(l, x, maps, count, MAX_SPLITS);
     if (l->relief)
         answer.split = NULL;
     return answer;

@@ -1,7 +1,7 @@
 /* The maps Cells and CellCentre, by cells.h. */
-#include "compiler/lower/answer.h"
+#include "compiler/lower/map_value.h"
 #include "compiler/lower/cells.h"
-#include "compiler/lower/relief.h"
+#include "compiler/lower/bump.h"
 
 /* Returns the jitter, clamped to [0, 1] since a uniform may have any value: within that range
  * the search for points is complete and its values are bounded. */
@@ -25,7 +25,7 @@ static void note_steps(Lower *l, const Cells *cells, Ref value, Ref q)
         Ref there = cells_at(l, cells, q, ir_const(ir, ir_type(ir, q), along));
         rate[i] = build_scale(ir, build_sub(ir, there, value), 1 / step);
     }
-    relief_rise(l, value, q, rate);
+    bump_rise(l, value, q, rate);
 }
 
 static int keyword_of(const Node *node, int param, Keyword first)
@@ -33,7 +33,7 @@ static int keyword_of(const Node *node, int param, Keyword first)
     return (int)node_param(node, param)->number[0] - (int)first;
 }
 
-Answer lower_Cells(Lower *l, const Node *node, Group group, const Env *env)
+MapValue lower_Cells(Lower *l, const Node *node, Group group, const Env *env)
 {
     const Value *dimensions = node_param(node, P_Cells_dimensions);
     lower_reject_uniform(l, dimensions, "dimensions", "squares and cubes are different functions");
@@ -45,19 +45,19 @@ Answer lower_Cells(Lower *l, const Node *node, Group group, const Env *env)
                          .distance = keyword_of(node, P_Cells_distance, KEYWORD_Distance_euclidean),
                          .measure = keyword_of(node, P_Cells_value, KEYWORD_CellsValue_F1),
                          .jitter = find_jitter(l, node, P_Cells_jitter)};
-    Answer q = lower_answer(l, input, cells.dimensions == 2 ? GROUP_U : GROUP_X, env);
+    MapValue q = lower_map_value(l, input, cells.dimensions == 2 ? GROUP_U : GROUP_X, env);
     if (cells.dimensions == 2)
-        q = answer_swizzle(l, q, "xy");
-    Answer value = cells_over_pixel(l, &cells, q);
+        q = map_value_swizzle(l, q, "xy");
+    MapValue value = cells_over_pixel(l, &cells, q);
     if (l->relief && cells.measure == CELLS_VALUE_random)
         note_steps(l, &cells, value.value, q.value);
-    return answer_as_group(l, lower_waved(l, node, value), group);
+    return map_value_as_group(l, lower_waved(l, node, value), group);
 }
 
-Answer lower_CellCentre(Lower *l, const Node *node, Group group, const Env *env)
+MapValue lower_CellCentre(Lower *l, const Node *node, Group group, const Env *env)
 {
     Ir *ir = l->ir;
-    Answer q = lower_answer(l, lower_param_node(node, P_CellCentre_input), group, env);
+    MapValue q = lower_map_value(l, lower_param_node(node, P_CellCentre_input), group, env);
     if (group != GROUP_X && group != GROUP_U)
         return q;
     const Cells cells = {.dimensions = group == GROUP_U ? 2 : 3,
@@ -67,9 +67,9 @@ Answer lower_CellCentre(Lower *l, const Node *node, Group group, const Env *env)
                          .jitter = find_jitter(l, node, P_CellCentre_jitter)};
     if (group == GROUP_X)
         return cells_over_pixel(l, &cells, q);
-    Answer uv = cells_over_pixel(l, &cells, answer_swizzle(l, q, "xy")),
-           w = answer_swizzle(l, q, "z");
-    Answer moved = answer_of(build_vec(ir, TYPE_vec3, uv.value, w.value));
+    MapValue uv = cells_over_pixel(l, &cells, map_value_swizzle(l, q, "xy")),
+             w = map_value_swizzle(l, q, "z");
+    MapValue moved = map_value_of(build_vec(ir, TYPE_vec3, uv.value, w.value));
     if (uv.variance || w.variance)
         moved.variance = build_vec(ir, TYPE_vec3, build_or_zero(ir, uv.variance, TYPE_vec2),
                                    build_or_zero(ir, w.variance, TYPE_float));

@@ -17,7 +17,7 @@ static const double LEAST = 1e-6; /* minimum divisor */
 
 static Ref red(Lower *l, const Node *m, int param, const Env *env)
 {
-    return build_swizzle(l->ir, lower_ask(l, lower_param_node(m, param), GROUP_R, env), "x");
+    return build_swizzle(l->ir, lower_query(l, lower_param_node(m, param), GROUP_R, env), "x");
 }
 
 static Ref unit(Ir *ir, Ref x)
@@ -48,7 +48,7 @@ static Ref colored(Lower *l, const Coat *coat, const Env *env)
 {
     Ir *ir = l->ir;
     Ref color = build_convert(
-        ir, lower_ask(l, lower_param_node(coat->of, coat->color), GROUP_R, env), TYPE_vec3);
+        ir, lower_query(l, lower_param_node(coat->of, coat->color), GROUP_R, env), TYPE_vec3);
     return build_mix(ir, build_all(ir, TYPE_vec3, 1), color, weight(l, coat, env));
 }
 
@@ -98,7 +98,7 @@ Ref lower_coat_normal(Lower *l, const Coat *coat, const Env *env)
     Ref there = weight(l, coat, env);
     if (graph_coat_follows(l->graph, coat->of) || ir_is_number(ir, there, 0))
         return build_all(ir, TYPE_vec3, 0);
-    Ref own = lower_ask(l, lower_param_node(coat->of, coat->normal), GROUP_N, env);
+    Ref own = lower_query(l, lower_param_node(coat->of, coat->normal), GROUP_N, env);
     return lower_where_there(ir, there, SLOT_coatNormal, build_call(ir, FN_safeNormalize, own));
 }
 

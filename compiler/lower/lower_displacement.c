@@ -18,7 +18,7 @@
  * displacementVolume to its green, and from blue to alpha; a pair whose second value is not
  * greater is empty. The mesher computes the volume's normals, so the fragment program uses the
  * mesh's. */
-#include "compiler/lower/relief.h"
+#include "compiler/lower/bump.h"
 #include "compiler/lower/slope.h"
 
 /* Environment numbers in the memo, above all numbers that filters derive from others. */
@@ -26,12 +26,12 @@ enum { ENV_DISPLACED = 16, ENV_VERTEX = 32, ENV_CORNER = 64 };
 
 static Ref height(Lower *l, const Displacement *d, const Env *env)
 {
-    return build_swizzle(l->ir, lower_ask(l, d->height->node, GROUP_R, env), "x");
+    return build_swizzle(l->ir, lower_query(l, d->height->node, GROUP_R, env), "x");
 }
 
 static Ref vector(Lower *l, const Displacement *d, const Env *env)
 {
-    return build_convert(l->ir, lower_ask(l, d->vector->node, GROUP_R, env), TYPE_vec3);
+    return build_convert(l->ir, lower_query(l, d->vector->node, GROUP_R, env), TYPE_vec3);
 }
 
 /* Returns the sum of height and vector, as far as both are present. */
@@ -77,7 +77,7 @@ static Ref above(Lower *l, Ref heights, double threshold)
 
 static Ref volume(Lower *l, const Displacement *d, const Env *env)
 {
-    return build_convert(l->ir, lower_ask(l, d->volume->node, GROUP_R, env), TYPE_vec4);
+    return build_convert(l->ir, lower_query(l, d->volume->node, GROUP_R, env), TYPE_vec4);
 }
 
 Ref lower_displacement(Lower *l, const Node *displaced, const Env *env)
@@ -162,14 +162,14 @@ static Carried moved_of(Lower *l, const Node *displaced, const Env *env)
     Env unseen = *env;
     unseen.seen = false;
     unseen.shape = true;
-    const Risen risen = relief_of(l, lower_displacement, displaced, &unseen);
+    const Risen risen = bump_of(l, lower_displacement, displaced, &unseen);
     const Ref by_u = build_or_zero(l->ir, risen.slopes.u, type),
               by_v = build_or_zero(l->ir, risen.slopes.v, type);
     return (Carried){.by = risen.value, .slopes = {by_u, by_v}};
 }
 
 /* Returns the derivative of the unit normal; 0: constant. */
-static Ref turn_of(Lower *l, Ref normal, Direction direction)
+static Ref uv_transform_chain(Lower *l, Ref normal, Direction direction)
 {
     Ref change = slope_mesh_normal(l, normal, direction);
     return change ? lower_unit_slope(l, normal, change) : 0;
@@ -191,8 +191,8 @@ Env lower_displaced_env(Lower *l, const Node *displaced, const Env *env)
 {
     Ir *ir = l->ir;
     Carried m = moved_of(l, displaced, env);
-    m.turns.u = turn_of(l, env->root[GROUP_N], DIRECTION_u);
-    m.turns.v = turn_of(l, env->root[GROUP_N], DIRECTION_v);
+    m.turns.u = uv_transform_chain(l, env->root[GROUP_N], DIRECTION_u);
+    m.turns.v = uv_transform_chain(l, env->root[GROUP_N], DIRECTION_v);
     for (int i = 0; i < 2 && ir_type(ir, m.by) != TYPE_float; i++) {
         m.swings[i].u = swing_of(l, env, tangent(env, i), DIRECTION_u);
         m.swings[i].v = swing_of(l, env, tangent(env, i), DIRECTION_v);

@@ -26,7 +26,7 @@ typedef struct {
 static Ref toward_viewer(Lower *l, const Env *env)
 {
     Ir *ir = l->ir;
-    Ref viewer = lower_ask(l, NULL, GROUP_E, env), from = env->root[GROUP_P];
+    Ref viewer = lower_query(l, NULL, GROUP_E, env), from = env->root[GROUP_P];
     Ref moved = build_mul(ir, from, build_swizzle(ir, viewer, "w"));
     return build_call(ir, FN_safeNormalize, build_sub(ir, build_swizzle(ir, viewer, "xyz"), moved));
 }
@@ -41,7 +41,7 @@ static Ref quantity_at(Lower *l, const Node *input, Quantity quantity, const Env
         return build_min(l->ir, build_abs(l->ir, build_dot(l->ir, n, toward_viewer(l, env))),
                          build_float(l->ir, 1));
     }
-    Ref group = lower_ask(l, input, row->group, env);
+    Ref group = lower_query(l, input, row->group, env);
     if (quantity == QUANTITY_N)
         group = build_call(l->ir, FN_safeNormalize, group);
     return build_swizzle(l->ir, group, row->components);
@@ -53,7 +53,7 @@ static Ref input_at(Lower *l, const Item *item, const Env *env)
 {
     Ir *ir = l->ir;
     const int width = item->width ? item->width : item->input ? item->input->width : 3;
-    Ref value = lower_ask(l, item->input, GROUP_R, env);
+    Ref value = lower_query(l, item->input, GROUP_R, env);
     return width == 1 && ir_components(ir, value) > 1
                ? build_swizzle(ir, value, "x")
                : build_convert(ir, value, build_components_type(width));
@@ -198,11 +198,11 @@ static void read_leaves(Lower *l, const Node *node, Reading *r, const Env *env)
     }
 }
 
-Answer lower_Expression(Lower *l, const Node *node, Group group, const Env *env)
+MapValue lower_Expression(Lower *l, const Node *node, Group group, const Env *env)
 {
     const Value *is = node_param(node, P_Expression_is);
     if (is->kind != VALUE_formula)
-        return answer_as_group(l, answer_of(build_float(l->ir, 0)), group);
+        return map_value_as_group(l, map_value_of(build_float(l->ir, 0)), group);
     const Formula *f = is->formula;
     bool *read = ARENA_ARRAY(l->session->arena, bool, f->count);
     mark_read(f, read);
@@ -210,5 +210,5 @@ Answer lower_Expression(Lower *l, const Node *node, Group group, const Env *env)
     read_leaves(l, node, &r, env);
     Ref mean = f->jumps && footprint_is_filtered(l) ? sampled(l, &r) : 0;
     Ref value = mean ? mean : value_at(l, f, read, &r.leaves, r.refs);
-    return answer_as_group(l, answer_of(value), group);
+    return map_value_as_group(l, map_value_of(value), group);
 }

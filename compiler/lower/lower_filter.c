@@ -37,7 +37,7 @@ static int make_function(Lower *l, const Node *input, Group group, const Env *en
             slope_set(l, arguments[i], (Direction)d, slope_of(l, root[i], (Direction)d));
     Env inner = shifted_env(l, env, arguments);
     l->filters++;
-    Ref result = without_alpha(l, lower_ask(l, input, group, &inner));
+    Ref result = without_alpha(l, lower_query(l, input, group, &inner));
     l->filters--;
     return ir_function(ir, arguments, 2, result);
 }
@@ -63,16 +63,16 @@ static Ref filter_size(Lower *l, const Node *node)
 
 /* Treats the value as constant in differentiation, so that its evaluations are not all
  * differentiated. */
-static Answer steady(Lower *l, Ref value)
+static MapValue steady(Lower *l, Ref value)
 {
     slope_set(l, value, DIRECTION_right, 0);
     slope_set(l, value, DIRECTION_up, 0);
-    return answer_of(value);
+    return map_value_of(value);
 }
 
 /* Lowers a Smooth3D. A cheap input is written out as 27 calls. Drivers inline every call, so a
  * costly input would take minutes to compile: it is summed in a loop. */
-Answer lower_Smooth3D(Lower *l, const Node *node, Group group, const Env *env)
+MapValue lower_Smooth3D(Lower *l, const Node *node, Group group, const Env *env)
 {
     Ir *ir = l->ir;
     int function = make_function(l, lower_param_node(node, P_Smooth3D_input), group, env);
@@ -92,7 +92,7 @@ Answer lower_Smooth3D(Lower *l, const Node *node, Group group, const Env *env)
 
 /* Lowers a Laplace3D: 1/2 of the center minus 1/12 of each neighbor, as a sum of differences,
  * which is exactly 0 where the input is constant. */
-Answer lower_Laplace3D(Lower *l, const Node *node, Group group, const Env *env)
+MapValue lower_Laplace3D(Lower *l, const Node *node, Group group, const Env *env)
 {
     Ir *ir = l->ir;
     int function = make_function(l, lower_param_node(node, P_Laplace3D_input), group, env);

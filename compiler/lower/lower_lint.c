@@ -17,10 +17,10 @@ struct Crossing {
     const struct Crossing *next;
 };
 
-struct Relief {
+struct DisplacementFound {
     const Node *displacement;
     Ref slope[2];
-    const struct Relief *next;
+    const struct DisplacementFound *next;
 };
 
 static const Items *items_of(const Node *blend) { return node_param(blend, P_Blend_blend)->items; }
@@ -54,10 +54,10 @@ static void doubt(Session *session, const Node *blend, Interval x)
              below ? "first" : "last", item.at);
 }
 
-void lower_note_relief(Lower *l, const Node *displacement, Ref by_u, Ref by_v)
+void lower_note_bump(Lower *l, const Node *displacement, Ref by_u, Ref by_v)
 {
-    struct Relief *relief = ARENA_NEW(l->session->arena, struct Relief);
-    *relief = (struct Relief){displacement, {by_u, by_v}, l->reliefs};
+    struct DisplacementFound *relief = ARENA_NEW(l->session->arena, struct DisplacementFound);
+    *relief = (struct DisplacementFound){displacement, {by_u, by_v}, l->reliefs};
     l->reliefs = relief;
 }
 
@@ -74,13 +74,13 @@ void lower_lint(Lower *l)
     size_t count = 0, capacity = 0;
     for (const struct Crossing *at = l->crossing; at; at = at->next)
         ARENA_PUSH(&arena, roots, count, capacity, at->coordinate);
-    for (const struct Relief *at = l->reliefs; at; at = at->next)
+    for (const struct DisplacementFound *at = l->reliefs; at; at = at->next)
         for (int i = 0; i < 2; i++)
             ARENA_PUSH(&arena, roots, count, capacity, at->slope[i]);
     const Ranges ranges = range_find_below(l->ir, &arena, 1, roots, (int)count);
     for (const struct Crossing *at = l->crossing; at; at = at->next)
         doubt(l->session, at->blend, range_of(&ranges, l->ir, at->coordinate, 0));
-    for (const struct Relief *at = l->reliefs; at; at = at->next)
+    for (const struct DisplacementFound *at = l->reliefs; at; at = at->next)
         if (is_nought(&ranges, l->ir, at->slope[0]) && is_nought(&ranges, l->ir, at->slope[1]))
             diag_add(l->session, at->displacement->span, DIAG_flat_displacement);
     arena_free(&arena);

@@ -1,5 +1,5 @@
 /* Materials: lowers their shading slots. Only slots that a pass stores are queried. */
-#include "compiler/lower/answer.h"
+#include "compiler/lower/map_value.h"
 #include "compiler/lower/blend.h"
 #include "compiler/lower/footprint.h"
 #include "grammar/lobe_table.h"
@@ -41,7 +41,7 @@ static LowerSwitch *const switches[KIND_COUNT] = {
 
 static Ref color(Lower *l, const Node *map, const Env *env)
 {
-    return build_convert(l->ir, lower_ask(l, map, GROUP_R, env), TYPE_vec3);
+    return build_convert(l->ir, lower_query(l, map, GROUP_R, env), TYPE_vec3);
 }
 
 /* Returns the alpha of a color: only a vec4 has one; for all others the conversion table gives
@@ -49,27 +49,27 @@ static Ref color(Lower *l, const Node *map, const Env *env)
 static Ref alpha_of(Lower *l, const Node *map, const Env *env)
 {
     Ir *ir = l->ir;
-    Ref value = lower_ask(l, map, GROUP_R, env);
+    Ref value = lower_query(l, map, GROUP_R, env);
     return ir_type(ir, value) == TYPE_vec4 ? build_swizzle(ir, value, "w") : build_float(ir, 1);
 }
 
 /* Returns the Phong exponent of a shininess; where that is one of two values within the pixel,
  * the mean of both exponents. */
-static Ref exponent_of(Lower *l, Answer shininess, int depth)
+static Ref exponent_of(Lower *l, MapValue shininess, int depth)
 {
     Ir *ir = l->ir;
     const Split *split = shininess.split;
     if (!split || depth == 0)
         return build_call(ir, FN_phongExponent, build_swizzle(ir, shininess.value, "x"));
     Ref a = exponent_of(l, split->a, depth - 1), b = exponent_of(l, split->b, depth - 1);
-    return answer_mean(l, split->by, a, b);
+    return map_value_mean(l, split->by, a, b);
 }
 
 static Ref exponent(Lower *l, const Node *map, double without, const Env *env)
 {
     if (!map)
         return build_float(l->ir, without);
-    return exponent_of(l, lower_answer(l, map, GROUP_R, env), MAX_SPLITS);
+    return exponent_of(l, lower_map_value(l, map, GROUP_R, env), MAX_SPLITS);
 }
 
 /* Returns the transparency factor 1 + alpha (c - 1). */
@@ -88,7 +88,7 @@ Ref lower_Phong(Lower *l, const Node *m, Slot slot, const Env *env)
     const Node *diffuse = lower_param_node(m, P_Phong_diffuse);
     switch (slot) {
     case SLOT_normal:
-        return lower_ask(l, lower_param_node(m, P_Phong_input), GROUP_N, env);
+        return lower_query(l, lower_param_node(m, P_Phong_input), GROUP_N, env);
     case SLOT_diffuse:
         return color(l, diffuse, env);
     case SLOT_alpha:
@@ -110,7 +110,7 @@ Ref lower_Phong(Lower *l, const Node *m, Slot slot, const Env *env)
     case SLOT_emissive:
         return color(l, lower_param_node(m, P_Phong_emissive), env);
     case SLOT_ior:
-        return lower_ask(l, lower_param_node(m, P_Phong_input), GROUP_IOR, env);
+        return lower_query(l, lower_param_node(m, P_Phong_input), GROUP_IOR, env);
     default:
         return nothing(l, slot);
     }
@@ -177,7 +177,7 @@ static Ref sky_radiance(Lower *l, const Node *m, const Env *env)
     sky_coefficients(sun, turbidity[0], 1, row);
     /* skyRadiance(direction, sun, zenith over F(0, sun), A, B, C, D, E) */
     static const int order[] = {6, 0, 1, 2, 3, 4, 5};
-    Ref args[8] = {lower_ask(l, NULL, GROUP_X, env)};
+    Ref args[8] = {lower_query(l, NULL, GROUP_X, env)};
     for (int i = 0; i < 7; i++)
         args[i + 1] = ir_const(ir, TYPE_vec3, row[order[i]]);
     Ref factor = lower_param(l, node_param(m, P_SunSkyLight_radianceFactor), TYPE_float);
@@ -348,7 +348,7 @@ Ref lower_stored_coat_normal(Lower *l, const Node *material, const Env *env)
 Ref lower_slot(Lower *l, const Node *material, Slot slot, const Env *env)
 {
     Ir *ir = l->ir;
-    SlotAnswer *asked = &l->asked[slot];
+    SlotValue *asked = &l->asked[slot];
     const bool beside = l->averaged;
     ir->origin = (uint32_t)(ORIGIN_SLOTS + slot);
     const bool known = asked->value && asked->material == material && asked->number == env->number;
@@ -363,7 +363,7 @@ Ref lower_slot(Lower *l, const Node *material, Slot slot, const Env *env)
                     : lower_value_slot(l, material, lower_is_principled(l, material), slot, env);
     value = build_convert(ir, value, slot_table[slot].type);
     lower_mark_head(ir, value, ir->origin);
-    *asked = (SlotAnswer){material, env->number, l->averaged, value};
+    *asked = (SlotValue){material, env->number, l->averaged, value};
     l->averaged |= beside;
     return value;
 }

@@ -6,22 +6,22 @@
  *
  *     Clamp to [0, 1] of a Checker of 3 and -1, with .25 and .75 of a pixel: the mean of 1 and 0
  *     by these weights is .25; the mean itself, 0, would be clamped to 0 */
-#include "compiler/lower/answer.h"
+#include "compiler/lower/map_value.h"
 #include "compiler/lower/lower_term.h"
 
 enum { MAX_HALVINGS = 3 }; /* nesting depth of halves: each level doubles the computation */
 
 /* Returns a color of one, three or four components, with its split. */
-static Answer whole_colour(Lower *l, const Node *node, int param, const Env *env)
+static MapValue whole_colour(Lower *l, const Node *node, int param, const Env *env)
 {
-    Answer answer = lower_answer(l, lower_param_node(node, param), GROUP_R, env);
-    return ir_type(l->ir, answer.value) == TYPE_vec2 ? answer_widened(l, answer, TYPE_vec3)
+    MapValue answer = lower_map_value(l, lower_param_node(node, param), GROUP_R, env);
+    return ir_type(l->ir, answer.value) == TYPE_vec2 ? map_value_widened(l, answer, TYPE_vec3)
                                                      : answer;
 }
 
-static Answer colour(Lower *l, const Node *node, int param, const Env *env)
+static MapValue colour(Lower *l, const Node *node, int param, const Env *env)
 {
-    Answer answer = whole_colour(l, node, param, env);
+    MapValue answer = whole_colour(l, node, param, env);
     answer.split = NULL;
     return answer;
 }
@@ -33,7 +33,7 @@ static Ref number(Lower *l, const Node *node, int param, const Env *env)
 }
 
 /* Replaces the alpha, if there is one, by another color's. */
-static Answer with_alpha(Lower *l, Answer answer, Ref from)
+static MapValue with_alpha(Lower *l, MapValue answer, Ref from)
 {
     Ir *ir = l->ir;
     if (ir_type(ir, answer.value) != TYPE_vec4)
@@ -44,53 +44,53 @@ static Answer with_alpha(Lower *l, Answer answer, Ref from)
     if (answer.variance)
         answer.variance =
             build_vec(ir, TYPE_vec4, build_swizzle(ir, answer.variance, "xyz"), build_float(ir, 0));
-    return (Answer){answer.value, answer.variance, NULL};
+    return (MapValue){answer.value, answer.variance, NULL};
 }
 
 /* Two colors, converted to their common type. */
 typedef struct {
-    Answer a, b;
+    MapValue a, b;
 } Pair;
 
 static Pair pair(Lower *l, const Node *node, int param, const Env *env)
 {
-    Answer a = colour(l, node, param, env), b = colour(l, node, param + 1, env);
-    const Type type = answer_common_type(ir_type(l->ir, a.value), ir_type(l->ir, b.value));
-    a = answer_widened(l, a, type);
-    b = answer_widened(l, b, type);
+    MapValue a = colour(l, node, param, env), b = colour(l, node, param + 1, env);
+    const Type type = map_value_common_type(ir_type(l->ir, a.value), ir_type(l->ir, b.value));
+    a = map_value_widened(l, a, type);
+    b = map_value_widened(l, b, type);
     return (Pair){a, b};
 }
 
 /* Converts to another group's value. */
-static Answer given(Lower *l, Answer answer, Group group)
+static MapValue given(Lower *l, MapValue answer, Group group)
 {
-    return answer_as_group(l, answer, group);
+    return map_value_as_group(l, answer, group);
 }
 
 /* Lowers a Mix: a + t (b - a). */
-Answer lower_Mix(Lower *l, const Node *node, Group group, const Env *env)
+MapValue lower_Mix(Lower *l, const Node *node, Group group, const Env *env)
 {
     Ir *ir = l->ir;
     const Pair p = pair(l, node, P_Mix_a, env);
     Ref t = number(l, node, P_Mix_amount, env), rest = build_sub(ir, build_float(ir, 1), t);
-    Answer mix = answer_of(build_mix(ir, p.a.value, p.b.value, t));
+    MapValue mix = map_value_of(build_mix(ir, p.a.value, p.b.value, t));
     Ref of_a = p.a.variance ? build_mul(ir, p.a.variance, build_square(ir, rest)) : 0;
     Ref of_b = p.b.variance ? build_mul(ir, p.b.variance, build_square(ir, t)) : 0;
     mix.variance = build_plus(ir, of_a, of_b);
     return given(l, mix, group);
 }
 
-Answer lower_Add(Lower *l, const Node *node, Group group, const Env *env)
+MapValue lower_Add(Lower *l, const Node *node, Group group, const Env *env)
 {
     const Pair p = pair(l, node, P_Add_a, env);
-    return given(l, with_alpha(l, answer_sum(l, p.a, p.b), p.a.value), group);
+    return given(l, with_alpha(l, map_value_sum(l, p.a, p.b), p.a.value), group);
 }
 
-Answer lower_Multiply(Lower *l, const Node *node, Group group, const Env *env)
+MapValue lower_Multiply(Lower *l, const Node *node, Group group, const Env *env)
 {
     Ir *ir = l->ir;
     const Pair p = pair(l, node, P_Multiply_a, env);
-    Answer product = answer_of(build_mul(ir, p.a.value, p.b.value));
+    MapValue product = map_value_of(build_mul(ir, p.a.value, p.b.value));
     Ref of_a = p.a.variance ? build_mul(ir, p.a.variance, build_square(ir, p.b.value)) : 0;
     Ref of_b = p.b.variance ? build_mul(ir, p.b.variance, build_square(ir, p.a.value)) : 0;
     product.variance = build_plus(ir, of_a, of_b);
@@ -98,16 +98,17 @@ Answer lower_Multiply(Lower *l, const Node *node, Group group, const Env *env)
 }
 
 /* Returns (x - from) * by + to. */
-static Answer line(Lower *l, Answer x, Ref from, const Ref by_to[2])
+static MapValue line(Lower *l, MapValue x, Ref from, const Ref by_to[2])
 {
-    Answer moved = answer_moved(l, x, build_neg(l->ir, from));
-    return with_alpha(l, answer_moved(l, answer_scaled(l, moved, by_to[0]), by_to[1]), x.value);
+    MapValue moved = map_value_moved(l, x, build_neg(l->ir, from));
+    return with_alpha(l, map_value_moved(l, map_value_scaled(l, moved, by_to[0]), by_to[1]),
+                      x.value);
 }
 
-Answer lower_Remap(Lower *l, const Node *node, Group group, const Env *env)
+MapValue lower_Remap(Lower *l, const Node *node, Group group, const Env *env)
 {
     Ir *ir = l->ir;
-    Answer x = colour(l, node, P_Remap_input, env);
+    MapValue x = colour(l, node, P_Remap_input, env);
     Ref low = number(l, node, P_Remap_low, env), high = number(l, node, P_Remap_high, env);
     Ref to_low = number(l, node, P_Remap_toLow, env),
         to_high = number(l, node, P_Remap_toHigh, env);
@@ -117,9 +118,9 @@ Answer lower_Remap(Lower *l, const Node *node, Group group, const Env *env)
     return given(l, line(l, x, low, (const Ref[]){rate, to_low}), group);
 }
 
-Answer lower_Contrast(Lower *l, const Node *node, Group group, const Env *env)
+MapValue lower_Contrast(Lower *l, const Node *node, Group group, const Env *env)
 {
-    Answer x = colour(l, node, P_Contrast_input, env);
+    MapValue x = colour(l, node, P_Contrast_input, env);
     Ref amount = number(l, node, P_Contrast_amount, env),
         pivot = number(l, node, P_Contrast_pivot, env);
     return given(l, line(l, x, pivot, (const Ref[]){amount, pivot}), group);
@@ -133,14 +134,14 @@ typedef struct {
 
 /* Applies the curve to both halves of a split. In a displacement the halves are heights, whose
  * mix the curve is applied to. */
-static Answer curved(Lower *l, const Curve *curve, Answer x, int depth)
+static MapValue curved(Lower *l, const Curve *curve, MapValue x, int depth)
 {
     if (!x.split || depth == 0 || l->relief)
-        return with_alpha(l, answer_of(curve->of(l, x.value, curve->numbers)), x.value);
+        return with_alpha(l, map_value_of(curve->of(l, x.value, curve->numbers)), x.value);
     const Split *split = x.split;
-    const Answer a = curved(l, curve, split->a, depth - 1),
-                 b = curved(l, curve, split->b, depth - 1);
-    return answer_either(l, split->by, a, b);
+    const MapValue a = curved(l, curve, split->a, depth - 1),
+                   b = curved(l, curve, split->b, depth - 1);
+    return map_value_either(l, split->by, a, b);
 }
 
 static Ref clamped(Lower *l, Ref x, const Ref *low_high)
@@ -151,9 +152,9 @@ static Ref clamped(Lower *l, Ref x, const Ref *low_high)
                      build_splat(ir, low_high[1], type));
 }
 
-Answer lower_Clamp(Lower *l, const Node *node, Group group, const Env *env)
+MapValue lower_Clamp(Lower *l, const Node *node, Group group, const Env *env)
 {
-    const Answer x = whole_colour(l, node, P_Clamp_input, env);
+    const MapValue x = whole_colour(l, node, P_Clamp_input, env);
     const Ref low = number(l, node, P_Clamp_low, env), high = number(l, node, P_Clamp_high, env);
     return given(l, curved(l, &(Curve){clamped, {low, high}}, x, MAX_HALVINGS), group);
 }
@@ -177,9 +178,9 @@ static Ref term_of(Lower *l, Term term, Ref x)
     return lower_term(l, term, (const Ref[TERM_MAX_ARGUMENTS]){x});
 }
 
-Answer lower_Power(Lower *l, const Node *node, Group group, const Env *env)
+MapValue lower_Power(Lower *l, const Node *node, Group group, const Env *env)
 {
-    const Answer x = whole_colour(l, node, P_Power_input, env);
+    const MapValue x = whole_colour(l, node, P_Power_input, env);
     const ParamRow *row = &param_table[P_Power_exponent];
     Ref low = build_float(l->ir, row->low), high = build_float(l->ir, row->high);
     Ref exponent = build_clamp(l->ir, number(l, node, P_Power_exponent, env), low, high);
@@ -199,30 +200,30 @@ static Ref turned(Lower *l, Ref x, const Ref *by)
     return ir_type(ir, x) == TYPE_vec4 ? build_convert(ir, rgb, TYPE_vec4) : rgb;
 }
 
-Answer lower_HSV(Lower *l, const Node *node, Group group, const Env *env)
+MapValue lower_HSV(Lower *l, const Node *node, Group group, const Env *env)
 {
-    const Answer x = whole_colour(l, node, P_HSV_input, env);
+    const MapValue x = whole_colour(l, node, P_HSV_input, env);
     const Ref hue = number(l, node, P_HSV_hue, env),
               saturation = number(l, node, P_HSV_saturation, env),
               value = number(l, node, P_HSV_value, env);
     return given(l, curved(l, &(Curve){turned, {hue, saturation, value}}, x, MAX_HALVINGS), group);
 }
 
-Answer lower_Combine(Lower *l, const Node *node, Group group, const Env *env)
+MapValue lower_Combine(Lower *l, const Node *node, Group group, const Env *env)
 {
     Ir *ir = l->ir;
     Ref r = number(l, node, P_Combine_r, env), g = number(l, node, P_Combine_g, env),
         b = number(l, node, P_Combine_b, env);
-    return given(l, answer_of(build_vec(ir, TYPE_vec3, r, g, b)), group);
+    return given(l, map_value_of(build_vec(ir, TYPE_vec3, r, g, b)), group);
 }
 
 /* Lowers a Separate: a component of a color that is widened to four. */
-Answer lower_Separate(Lower *l, const Node *node, Group group, const Env *env)
+MapValue lower_Separate(Lower *l, const Node *node, Group group, const Env *env)
 {
     static const char *const components[] = {"x", "y", "z", "w"};
     const int component =
         (int)node_param(node, P_Separate_channel)->number[0] - (int)KEYWORD_Channel_r;
-    Answer x = colour(l, node, P_Separate_input, env);
-    return given(l, answer_swizzle(l, answer_widened(l, x, TYPE_vec4), components[component]),
+    MapValue x = colour(l, node, P_Separate_input, env);
+    return given(l, map_value_swizzle(l, map_value_widened(l, x, TYPE_vec4), components[component]),
                  group);
 }

@@ -1,6 +1,6 @@
 /* MixMaterial: mixes two materials by a mask, each slot in the space in which its steps look
  * equal; a Phong mixed with a Principled is converted. */
-#include "compiler/lower/answer.h"
+#include "compiler/lower/map_value.h"
 #include "compiler/lower/blend.h"
 #include "compiler/lower/footprint.h"
 
@@ -84,14 +84,14 @@ static Ref mixed(Lower *l, Slot slot, const Ref sides[2], Ref by)
 
 /* Returns the weight of the second side: the mask clamped to [0, 1], separately for each part of
  * a split pixel. Half a pixel at -1 and half at 1 give 1/2. */
-static Ref share_of_second(Lower *l, Answer mask, int depth)
+static Ref share_of_second(Lower *l, MapValue mask, int depth)
 {
     Ir *ir = l->ir;
     const Split *split = mask.split;
     if (split && depth > 0) {
         Ref a = share_of_second(l, split->a, depth - 1),
             b = share_of_second(l, split->b, depth - 1);
-        return answer_mean(l, split->by, a, b);
+        return map_value_mean(l, split->by, a, b);
     }
     Ref red = build_swizzle(ir, mask.value, "x"), zero = build_float(ir, 0),
         one = build_float(ir, 1);
@@ -100,13 +100,13 @@ static Ref share_of_second(Lower *l, Answer mask, int depth)
 
 /* Mixes exponents; with a mask that is one of two values within the pixel, the mean of both
  * results. */
-static Ref mixed_by(Lower *l, Slot slot, const Ref sides[2], Answer mask, int depth)
+static Ref mixed_by(Lower *l, Slot slot, const Ref sides[2], MapValue mask, int depth)
 {
     const Split *split = slot_mixing(slot) == MIXING_EXPONENT ? mask.split : NULL;
     if (split && depth > 0) {
         Ref a = mixed_by(l, slot, sides, split->a, depth - 1),
             b = mixed_by(l, slot, sides, split->b, depth - 1);
-        return answer_mean(l, split->by, a, b);
+        return map_value_mean(l, split->by, a, b);
     }
     return mixed(l, slot, sides, share_of_second(l, mask, depth));
 }
@@ -137,7 +137,7 @@ static Ref weighed(Lower *l, const MixedSide sides[2], Slot by, Ref t, const Env
 }
 
 /* Returns the Mix's share, with the Mix as its origin whichever slot is queried first. */
-static Ref named_share(Lower *l, const Node *mix, Answer mask)
+static Ref named_share(Lower *l, const Node *mix, MapValue mask)
 {
     Ir *ir = l->ir;
     const uint32_t origin = ir->origin;
@@ -151,7 +151,7 @@ static Ref named_share(Lower *l, const Node *mix, Answer mask)
 static Ref mix_of(Lower *l, const Node *m, Slot slot, const Env *env)
 {
     Ir *ir = l->ir;
-    const Answer mask = lower_answer(l, lower_param_node(m, P_MixMaterial_mask), GROUP_R, env);
+    const MapValue mask = lower_map_value(l, lower_param_node(m, P_MixMaterial_mask), GROUP_R, env);
     const Ref t = named_share(l, m, mask), zero = build_float(ir, 0), one = build_float(ir, 1);
     const double *known = ir_known(ir, t);
     const Node *a = lower_param_node(m, P_MixMaterial_a), *b = lower_param_node(m, P_MixMaterial_b);

@@ -1,6 +1,6 @@
 /* Normal modifiers: BumpMap and WaveMap tilt the tangents by a slope along the normal; NormalMap
  * replaces the normal. */
-#include "compiler/lower/relief.h"
+#include "compiler/lower/bump.h"
 
 Ref lower_unit(Lower *l, Ref n)
 {
@@ -21,9 +21,9 @@ Ref lower_unit_slope(Lower *l, Ref n, Ref change)
 
 static Frame input_frame(Lower *l, const Node *input, const Env *env)
 {
-    Ref n = lower_ask(l, input, GROUP_N, env);
-    Frame f = {.tu = lower_ask(l, input, GROUP_DU, env)};
-    f.tv = lower_ask(l, input, GROUP_DV, env);
+    Ref n = lower_query(l, input, GROUP_N, env);
+    Frame f = {.tu = lower_query(l, input, GROUP_DU, env)};
+    f.tv = lower_query(l, input, GROUP_DV, env);
     f.unit = lower_unit(l, n);
     return f;
 }
@@ -70,7 +70,7 @@ static Slopes turned_by(Lower *l, const Node *transform, Slopes slopes)
 }
 
 /* Returns a column of the transform: the new slopes along u (0) and along v (1). */
-static Slopes column_of(Lower *l, const Turn *turn, int column)
+static Slopes column_of(Lower *l, const UvTransformChain *turn, int column)
 {
     Ir *ir = l->ir;
     Ref u = build_float(ir, column == 0), v = build_float(ir, column == 1);
@@ -78,19 +78,19 @@ static Slopes column_of(Lower *l, const Turn *turn, int column)
 }
 
 /* Appends a node above the chain `below`. */
-static Turn turned_at(Lower *l, const Turn *below, const Node *node)
+static UvTransformChain turned_at(Lower *l, const UvTransformChain *below, const Node *node)
 {
     if (node->kind != KIND_UVTransform)
         return *below;
     if (!below->count)
-        return (Turn){.known = true, .count = 1, .transform = node};
-    Turn turn = {.known = true, .count = below->count + 1};
+        return (UvTransformChain){.known = true, .count = 1, .transform = node};
+    UvTransformChain turn = {.known = true, .count = below->count + 1};
     for (int i = 0; i < 2; i++)
         turn.column[i] = turned_by(l, node, column_of(l, below, i));
     return turn;
 }
 
-static Turn *turn_at(Lower *l, const Node *node)
+static UvTransformChain *uv_transform_at(Lower *l, const Node *node)
 {
     l->turns = arena_reach(l->session->arena, l->turns, (size_t)node->index, &l->turn_capacity,
                            sizeof *l->turns);
@@ -99,19 +99,19 @@ static Turn *turn_at(Lower *l, const Node *node)
 
 /* Returns the product of the UVTransforms from a node down its inputs. Each node caches its own
  * product, so a chain is walked once. */
-static Turn turn_of(Lower *l, const Node *node)
+static UvTransformChain uv_transform_chain(Lower *l, const Node *node)
 {
     const Node **chain = NULL;
     size_t count = 0, capacity = 0;
-    Turn turn = {.known = true};
-    for (; node && !turn_at(l, node)->known;
+    UvTransformChain turn = {.known = true};
+    for (; node && !uv_transform_at(l, node)->known;
          node = lower_param_node(node, kind_table[node->kind].first))
         ARENA_PUSH(l->session->arena, chain, count, capacity, node);
     if (node)
-        turn = *turn_at(l, node);
+        turn = *uv_transform_at(l, node);
     while (count--) {
         turn = turned_at(l, &turn, chain[count]);
-        *turn_at(l, chain[count]) = turn;
+        *uv_transform_at(l, chain[count]) = turn;
     }
     return turn;
 }
@@ -121,7 +121,7 @@ static Turn turn_of(Lower *l, const Node *node)
 static Slopes along_tangents(Lower *l, const Node *input, Slopes slopes)
 {
     Ir *ir = l->ir;
-    const Turn turn = turn_of(l, input);
+    const UvTransformChain turn = uv_transform_chain(l, input);
     if (turn.count <= 1)
         return turn.count ? turned_by(l, turn.transform, slopes) : slopes;
     Ref u = build_add(ir, build_mul(ir, slopes.u, turn.column[0].u),
@@ -131,21 +131,21 @@ static Slopes along_tangents(Lower *l, const Node *input, Slopes slopes)
     return (Slopes){u, v};
 }
 
-Answer lower_BumpMap(Lower *l, const Node *node, Group group, const Env *env)
+MapValue lower_BumpMap(Lower *l, const Node *node, Group group, const Env *env)
 {
     Ir *ir = l->ir;
     const double step = 0.02;
     const Node *input = lower_param_node(node, P_BumpMap_input),
                *displacement = lower_param_node(node, P_BumpMap_displacement);
     if (!is_frame(group) || !displacement)
-        return lower_answer(l, input, group, env);
+        return lower_map_value(l, input, group, env);
     Frame frame = input_frame(l, input, env);
     Ref strength = lower_param(l, node_param(node, P_BumpMap_strength), TYPE_float);
     Ref k = build_scale(ir, strength, step);
-    Slopes slopes = relief_slopes(l, node, env);
+    Slopes slopes = bump_slopes(l, node, env);
     if (l->job->choice[AXIS_derivatives] != CHOICE_derivatives_finite)
         slopes = along_tangents(l, input, slopes);
-    return answer_of(
+    return map_value_of(
         tilted(l, &frame, REFS(ir, build_mul(ir, k, slopes.u), build_mul(ir, k, slopes.v)), group));
 }
 
@@ -161,7 +161,7 @@ static Ref tangent_normal(Lower *l, const Node *node, const Env *env)
 {
     Ir *ir = l->ir;
     Ref color = build_convert(
-        ir, lower_ask(l, lower_param_node(node, P_NormalMap_normal), GROUP_R, env), TYPE_vec3);
+        ir, lower_query(l, lower_param_node(node, P_NormalMap_normal), GROUP_R, env), TYPE_vec3);
     Ref t = build_sub(ir, build_scale(ir, color, 2), build_vec3(ir, 1, 1, 1));
     Ref scale = lower_param(l, node_param(node, P_NormalMap_scale), TYPE_float),
         xy = build_swizzle(ir, t, "xy");
@@ -197,7 +197,7 @@ static Ref from_tangents(Lower *l, const Frame *f, Ref t)
     return build_linear(ir, REFS(ir, t, tangent, bitangent, f->unit), 4);
 }
 
-Answer lower_NormalMap(Lower *l, const Node *node, Group group, const Env *env)
+MapValue lower_NormalMap(Lower *l, const Node *node, Group group, const Env *env)
 {
     Ir *ir = l->ir;
     /* Minimum cosine between the new normal and the old: tangents of a normal that lies flat
@@ -205,15 +205,15 @@ Answer lower_NormalMap(Lower *l, const Node *node, Group group, const Env *env)
     const double least = 1e-3;
     const Node *input = lower_param_node(node, P_NormalMap_input);
     if (!is_frame(group) || !lower_param_node(node, P_NormalMap_normal))
-        return lower_answer(l, input, group, env);
+        return lower_map_value(l, input, group, env);
     Frame frame = input_frame(l, input, env);
     Ref normal = from_tangents(l, &frame, tangent_normal(l, node, env));
     if (group == GROUP_N)
-        return answer_of(normal);
+        return map_value_of(normal);
     Ref tangent = group == GROUP_DU ? frame.tu : frame.tv;
     Ref upright = build_max(ir, build_dot(ir, normal, frame.unit), build_float(ir, least));
     Ref rise = build_div(ir, build_dot(ir, normal, tangent), upright);
-    return answer_of(build_sub(ir, tangent, build_mul(ir, frame.unit, rise)));
+    return map_value_of(build_sub(ir, tangent, build_mul(ir, frame.unit, rise)));
 }
 
 /* A factor of the height cos(a) cos(b), a = 2 pi count x, and its slope by x. */
@@ -240,15 +240,15 @@ static Ref in_box_top(Lower *l, Ref u, Ref v)
     return build_and(ir, along_u, along_v);
 }
 
-Answer lower_WaveMap(Lower *l, const Node *node, Group group, const Env *env)
+MapValue lower_WaveMap(Lower *l, const Node *node, Group group, const Env *env)
 {
     Ir *ir = l->ir;
     const Node *input = lower_param_node(node, P_WaveMap_input);
     if (!is_frame(group))
-        return lower_answer(l, input, group, env);
+        return lower_map_value(l, input, group, env);
     double box_top[4];
     value_number(node_param(node, P_WaveMap_boxTop), TYPE_float, box_top);
-    Ref uvw = lower_ask(l, input, GROUP_U, env), u = build_swizzle(ir, uvw, "x"),
+    Ref uvw = lower_query(l, input, GROUP_U, env), u = build_swizzle(ir, uvw, "x"),
         v = build_swizzle(ir, uvw, "y");
     Ref u_count = lower_param(l, node_param(node, P_WaveMap_uCount), TYPE_float);
     Ref v_count = lower_param(l, node_param(node, P_WaveMap_vCount), TYPE_float);
@@ -265,6 +265,6 @@ Answer lower_WaveMap(Lower *l, const Node *node, Group group, const Env *env)
         by_v = build_mul(ir, k, build_mul(ir, a.height, b.slope));
     Ref result = tilted(l, &frame, REFS(ir, by_u, by_v), group);
     if (box_top[0] != 0)
-        result = build_select(ir, in_box_top(l, u, v), result, lower_ask(l, input, group, env));
-    return answer_of(result);
+        result = build_select(ir, in_box_top(l, u, v), result, lower_query(l, input, group, env));
+    return map_value_of(result);
 }

@@ -4,13 +4,14 @@
 
 static Ref color(Lower *l, const Node *m, int param, const Env *env)
 {
-    return build_convert(l->ir, lower_ask(l, lower_param_node(m, param), GROUP_R, env), TYPE_vec3);
+    return build_convert(l->ir, lower_query(l, lower_param_node(m, param), GROUP_R, env),
+                         TYPE_vec3);
 }
 
 /* Returns the red component of a parameter as a number. */
 static Ref red(Lower *l, const Node *m, int param, const Env *env)
 {
-    return build_swizzle(l->ir, lower_ask(l, lower_param_node(m, param), GROUP_R, env), "x");
+    return build_swizzle(l->ir, lower_query(l, lower_param_node(m, param), GROUP_R, env), "x");
 }
 
 /* Minimum divisor of quotients whose divisor is 1 plus a reflectance. */
@@ -201,8 +202,8 @@ static Ref tangent_turn(Lower *l, const Node *m, const Env *env)
 {
     Ir *ir = l->ir;
     Ref toward = unit_or_nothing(ir, color(l, m, P_Principled_tangent, env));
-    Ref du = unit_or_nothing(ir, lower_ask(l, NULL, GROUP_DU, env));
-    Ref dv = unit_or_nothing(ir, lower_ask(l, NULL, GROUP_DV, env));
+    Ref du = unit_or_nothing(ir, lower_query(l, NULL, GROUP_DU, env));
+    Ref dv = unit_or_nothing(ir, lower_query(l, NULL, GROUP_DV, env));
     Ref up = build_cross(ir, du, dv), beside = build_cross(ir, up, du);
     Ref along = build_mul(ir, build_dot(ir, toward, du), build_length(ir, up));
     return twice_the_angle(ir, along, build_dot(ir, toward, beside));
@@ -235,7 +236,7 @@ Ref lower_stored_anisotropy(Lower *l, const Node *material, const Env *env)
     if (ir_is(ir, own, OP_const) && ir_numbers(ir, own)[0] == 0 && ir_numbers(ir, own)[1] == 0)
         return own;
     Ref normal = lower_stored_normal(l, material, env);
-    Ref du = lower_ask(l, NULL, GROUP_DU, env), dv = lower_ask(l, NULL, GROUP_DV, env);
+    Ref du = lower_query(l, NULL, GROUP_DU, env), dv = lower_query(l, NULL, GROUP_DV, env);
     if (l->job->normals == NORMALS_eye) {
         du = build_call(ir, FN_eyeFromWorld, du);
         dv = build_call(ir, FN_eyeFromWorld, dv);
@@ -250,7 +251,7 @@ Ref lower_Principled(Lower *l, const Node *m, Slot slot, const Env *env)
     const Coat coat = COAT_OF(m, Principled);
     switch (slot) {
     case SLOT_normal:
-        return lower_ask(l, lower_param_node(m, P_Principled_input), GROUP_N, env);
+        return lower_query(l, lower_param_node(m, P_Principled_input), GROUP_N, env);
     case SLOT_diffuse:
         return base(l, m, env);
     case SLOT_alpha:

@@ -1,25 +1,25 @@
 /* Maps without noise: constants, checkers and pictures. */
 #include "compiler/lower/area.h"
-#include "compiler/lower/relief.h"
+#include "compiler/lower/bump.h"
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
 static bool is_derivative(Group group) { return group == GROUP_DU || group == GROUP_DV; }
 
-static Answer constant(Lower *l, Ref value, Group group)
+static MapValue constant(Lower *l, Ref value, Group group)
 {
-    return answer_of(is_derivative(group) ? build_vec3(l->ir, 0, 0, 0)
-                                          : lower_as_group(l, value, group));
+    return map_value_of(is_derivative(group) ? build_vec3(l->ir, 0, 0, 0)
+                                             : lower_as_group(l, value, group));
 }
 
-Answer lower_Constant(Lower *l, const Node *node, Group group, const Env *env)
+MapValue lower_Constant(Lower *l, const Node *node, Group group, const Env *env)
 {
     (void)env;
     const Value *value = &node->params[0];
     return constant(l, lower_param(l, value, value->type), group);
 }
 
-Answer lower_RGBColor(Lower *l, const Node *node, Group group, const Env *env)
+MapValue lower_RGBColor(Lower *l, const Node *node, Group group, const Env *env)
 {
     (void)env;
     Ref r = lower_param(l, node_param(node, P_RGBColor_r), TYPE_float);
@@ -28,7 +28,7 @@ Answer lower_RGBColor(Lower *l, const Node *node, Group group, const Env *env)
     return constant(l, build_vec(l->ir, TYPE_vec3, r, g, b), group);
 }
 
-Answer lower_Graytone(Lower *l, const Node *node, Group group, const Env *env)
+MapValue lower_Graytone(Lower *l, const Node *node, Group group, const Env *env)
 {
     (void)env;
     return constant(l, lower_param(l, node_param(node, P_Graytone_value), TYPE_float), group);
@@ -95,19 +95,19 @@ static Ref checker_slope(Lower *l, const Node *node, Ref uv, Group group, const 
     const double step = kind_table[KIND_Checker].step;
     Ref odd = odd_square(l, uv, 0, 0);
     Ref beyond = odd_square(l, uv, group == GROUP_DU ? step : 0, group == GROUP_DV ? step : 0);
-    Ref a = build_convert(ir, lower_ask(l, color1, GROUP_R, env), TYPE_vec3);
-    Ref b = build_convert(ir, lower_ask(l, color2, GROUP_R, env), TYPE_vec3);
+    Ref a = build_convert(ir, lower_query(l, color1, GROUP_R, env), TYPE_vec3);
+    Ref b = build_convert(ir, lower_query(l, color2, GROUP_R, env), TYPE_vec3);
     Ref rise =
         build_scale(ir, build_select(ir, odd, build_sub(ir, b, a), build_sub(ir, a, b)), 1 / step);
-    Ref inside =
-        build_select(ir, odd, lower_ask(l, color1, group, env), lower_ask(l, color2, group, env));
+    Ref inside = build_select(ir, odd, lower_query(l, color1, group, env),
+                              lower_query(l, color2, group, env));
     return build_select(ir, build_ne(ir, odd, beyond), rise, inside);
 }
 
 /* The colors of a checker: color1 of odd squares, color2 of even ones. */
 typedef struct {
     const Node *node[2];
-    Answer answer[2];
+    MapValue answer[2];
 } Colors;
 
 static void ask_colors(Lower *l, Colors *colors, Group group, const Env *env)
@@ -119,7 +119,7 @@ static void ask_colors(Lower *l, Colors *colors, Group group, const Env *env)
 /* Returns the share of the pixel where the sum of the components of floor(2 q) is odd. Without a
  * footprint, or where --aa=auto keeps a branch around costly colors, a bool for the point
  * instead. */
-static Ref odd_at(Lower *l, const void *map, Answer q)
+static Ref odd_at(Lower *l, const void *map, MapValue q)
 {
     const Colors *colors = map;
     const bool frugal = l->job->choice[AXIS_aa] == CHOICE_aa_auto;
@@ -130,36 +130,36 @@ static Ref odd_at(Lower *l, const void *map, Answer q)
 }
 
 /* Mixes both colors, by squares or cubes of edge 1/2. */
-static Answer odd_or_even(Lower *l, Answer q, double step, const Colors *colors)
+static MapValue odd_or_even(Lower *l, MapValue q, double step, const Colors *colors)
 {
     Ref odd = odd_at(l, colors, q);
     Stepped map = {.at = odd_at, .map = colors, .q = q};
     for (int i = 0; i < ir_components(l->ir, q.value); i++)
         map.step[i] = step;
-    relief_step(l, odd, &map);
-    return answer_either(l, odd, colors->answer[0], colors->answer[1]);
+    bump_step(l, odd, &map);
+    return map_value_either(l, odd, colors->answer[0], colors->answer[1]);
 }
 
-Answer lower_Checker(Lower *l, const Node *node, Group group, const Env *env)
+MapValue lower_Checker(Lower *l, const Node *node, Group group, const Env *env)
 {
     const Node *color1 = lower_param_node(node, P_Checker_color1),
                *color2 = lower_param_node(node, P_Checker_color2);
-    Answer uv = answer_swizzle(
-        l, lower_answer(l, lower_param_node(node, P_Checker_input), GROUP_U, env), "xy");
+    MapValue uv = map_value_swizzle(
+        l, lower_map_value(l, lower_param_node(node, P_Checker_input), GROUP_U, env), "xy");
     if (is_derivative(group))
-        return answer_of(checker_slope(l, node, uv.value, group, env));
+        return map_value_of(checker_slope(l, node, uv.value, group, env));
     Colors colors = {.node = {color1, color2}};
     ask_colors(l, &colors, group, env);
     return odd_or_even(l, uv, kind_table[KIND_Checker].step, &colors);
 }
 
-Answer lower_VolumeChecker(Lower *l, const Node *node, Group group, const Env *env)
+MapValue lower_VolumeChecker(Lower *l, const Node *node, Group group, const Env *env)
 {
-    Answer p = lower_answer(l, lower_param_node(node, P_VolumeChecker_input), GROUP_X, env);
+    MapValue p = lower_map_value(l, lower_param_node(node, P_VolumeChecker_input), GROUP_X, env);
     Colors colors = {.node = {lower_param_node(node, P_VolumeChecker_color1),
                               lower_param_node(node, P_VolumeChecker_color2)}};
     ask_colors(l, &colors, group, env);
-    p = answer_scaled(l, p, build_float(l->ir, 0.5));
+    p = map_value_scaled(l, p, build_float(l->ir, 0.5));
     return odd_or_even(l, p, 0.5 * kind_table[KIND_VolumeChecker].step, &colors);
 }
 
@@ -246,7 +246,7 @@ static Ref near_zero(Ir *ir, Ref uv)
 
 /* Returns the period in u and v after which the picture repeats exactly; 0: none, or a sampler
  * reads it, which would take a dropped period for a wide footprint. */
-static double turn_of(const Sampled *sampled)
+static double uv_transform_chain(const Sampled *sampled)
 {
     if (sampled->texture.sampled)
         return 0;
@@ -261,7 +261,7 @@ static Ref beyond_of(Lower *l, const Sampled *sampled, Ref uv, Ref step)
 {
     if (sampled->texture.kind == TEXTURE_carpenter)
         return build_add(l->ir, near_zero(l->ir, uv), step);
-    const double turn = turn_of(sampled);
+    const double turn = uv_transform_chain(sampled);
     return turn > 0 ? stepped(l, uv, step, turn) : build_add(l->ir, uv, step);
 }
 
@@ -319,7 +319,7 @@ static Ref sample_group(Lower *l, const Sampled *sampled, Ref uv, Group group)
     if (l->relief) {
         Ref by_u = sampled_slope(l, sampled, &picture, uv, false),
             by_v = sampled_slope(l, sampled, &picture, uv, true);
-        relief_rise(l, value, uv, REFS(l->ir, by_u, by_v, 0));
+        bump_rise(l, value, uv, REFS(l->ir, by_u, by_v, 0));
     }
     return lower_as_group(l, value, group);
 }
@@ -397,14 +397,14 @@ static Sampled sampled_image(Lower *l, const Node *node, const Image *picture, R
     };
 }
 
-Answer lower_ImageMap(Lower *l, const Node *node, Group group, const Env *env)
+MapValue lower_ImageMap(Lower *l, const Node *node, Group group, const Env *env)
 {
     Ir *ir = l->ir;
     const Value *image = node_param(node, P_ImageMap_image);
     if (image->kind != VALUE_image)
         return constant(l, build_float(ir, 0.5), group);
-    Ref uv = build_swizzle(ir, lower_ask(l, lower_param_node(node, P_ImageMap_input), GROUP_U, env),
-                           "xy");
+    Ref uv = build_swizzle(
+        ir, lower_query(l, lower_param_node(node, P_ImageMap_input), GROUP_U, env), "xy");
     const bool opaque =
         image->image->opaque && !is_word(node, P_ImageMap_address, KEYWORD_Address_border);
     if (opaque && is_word(node, P_ImageMap_channel, KEYWORD_Channel_a))
@@ -413,10 +413,10 @@ Answer lower_ImageMap(Lower *l, const Node *node, Group group, const Env *env)
     Ref value = sample_group(l, &sampled, uv, group);
     if (group == GROUP_R && opaque && sampled.component == ALL_COMPONENTS)
         value = build_vec(ir, TYPE_vec4, build_swizzle(ir, value, "xyz"), build_float(ir, 1));
-    return answer_of(value);
+    return map_value_of(value);
 }
 
-Answer lower_Carpenter(Lower *l, const Node *node, Group group, const Env *env)
+MapValue lower_Carpenter(Lower *l, const Node *node, Group group, const Env *env)
 {
     const KindRow *row = &kind_table[KIND_Carpenter];
     for (int i = 1; i < row->count; i++)
@@ -426,15 +426,15 @@ Answer lower_Carpenter(Lower *l, const Node *node, Group group, const Env *env)
     value_number(node_param(node, P_Carpenter_width), TYPE_float, width);
     value_number(node_param(node, P_Carpenter_height), TYPE_float, height);
     Ref uv = build_swizzle(
-        l->ir, lower_ask(l, lower_param_node(node, P_Carpenter_input), GROUP_U, env), "xy");
+        l->ir, lower_query(l, lower_param_node(node, P_Carpenter_input), GROUP_U, env), "xy");
     const IrTexture texture = {.kind = TEXTURE_carpenter,
                                .texels = TEXELS_R32F,
                                .wrap = KEYWORD_Address_repeat,
                                .node = node,
                                .width = (int)width[0],
                                .height = (int)height[0]};
-    return answer_of(sample_group(l,
-                                  &(Sampled){texture, FN_carpenterRelief, row->step, ALL_COMPONENTS,
-                                             KEYWORD_Address_repeat, false},
-                                  uv, group));
+    return map_value_of(sample_group(l,
+                                     &(Sampled){texture, FN_carpenterRelief, row->step,
+                                                ALL_COMPONENTS, KEYWORD_Address_repeat, false},
+                                     uv, group));
 }

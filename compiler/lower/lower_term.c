@@ -5,7 +5,7 @@
  *     is at least 1, so it is u / (1 + v v) */
 #include "compiler/lower/lower_term.h"
 #include "compiler/ir/build_words.h"
-#include "compiler/lower/answer.h"
+#include "compiler/lower/map_value.h"
 #include "compiler/lower/area.h"
 #include "compiler/lower/cells.h"
 #include "compiler/library/reference.h"
@@ -229,7 +229,7 @@ static Ref hsv(Lower *l, Ref rgb)
 /* Octaves of noise at a position; over the pixel where maps are averaged. */
 static Ref octaves(Lower *l, bool vector, Ref p, const Ref *args)
 {
-    const Answer at = answer_of(build_splat(l->ir, p, TYPE_vec3));
+    const MapValue at = map_value_of(build_splat(l->ir, p, TYPE_vec3));
     return (vector ? area_vector_turbulence(l, at, args) : area_turbulence(l, at, args)).value;
 }
 
@@ -243,7 +243,7 @@ static Ref folded_octave(Lower *l, Ref p)
     const double share = .65;
     const Ref single = build_int(ir, 1), two = build_float(ir, 2), half = build_float(ir, .5);
     const Ref one_octave[] = {single, two, half};
-    const Answer noise = area_turbulence(l, answer_of(p), one_octave);
+    const MapValue noise = area_turbulence(l, map_value_of(p), one_octave);
     if (!noise.variance)
         return build_abs(ir, noise.value);
     Ref square = build_square(ir, noise.value);
@@ -323,14 +323,14 @@ Ref lower_whole_power(Lower *l, Ref a, int power)
 static Ref cell_noise(Lower *l, Ref p)
 {
     Ref dimensions = build_int(l->ir, 3);
-    return area_volume(l, KIND_CellNoise, answer_of(p), &dimensions, 1).value;
+    return area_volume(l, KIND_CellNoise, map_value_of(p), &dimensions, 1).value;
 }
 
 static Ref worley(Lower *l, Ref p)
 {
     Ir *ir = l->ir;
     Ref jitter = build_float(ir, 1), style = build_int(ir, 0), dimensions = build_int(ir, 3);
-    return area_volume(l, KIND_Worley, answer_of(p), (const Ref[]){jitter, style, dimensions}, 3)
+    return area_volume(l, KIND_Worley, map_value_of(p), (const Ref[]){jitter, style, dimensions}, 3)
         .value;
 }
 

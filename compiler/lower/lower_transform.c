@@ -27,10 +27,10 @@ static Ref times_matrix(Lower *l, Ref m[3][3], int size, Ref q)
 
 /* Transforms a mean: variances of independent components are summed by the squares of their
  * factors. */
-static Answer turned(Lower *l, Ref m[3][3], int size, Answer q)
+static MapValue turned(Lower *l, Ref m[3][3], int size, MapValue q)
 {
     Ref squares[3][3] = {{0}};
-    Answer answer = answer_of(times_matrix(l, m, size, q.value));
+    MapValue answer = map_value_of(times_matrix(l, m, size, q.value));
     if (!q.variance)
         return answer;
     for (int i = 0; i < size; i++)
@@ -80,7 +80,7 @@ Ref lower_uv_tangent(Lower *l, const Node *node, Ref du, Ref dv, Group group)
 }
 
 /* Returns m ((u, v) - offset); w is unchanged. */
-static Answer turned_uv(Lower *l, const Node *node, Answer uvw)
+static MapValue turned_uv(Lower *l, const Node *node, MapValue uvw)
 {
     Ir *ir = l->ir;
     Ref m[3][3];
@@ -88,25 +88,25 @@ static Answer turned_uv(Lower *l, const Node *node, Answer uvw)
     Ref offset_u = lower_param(l, node_param(node, P_UVTransform_offsetU), TYPE_float);
     Ref offset_v = lower_param(l, node_param(node, P_UVTransform_offsetV), TYPE_float);
     Ref offset = build_vec(ir, TYPE_vec2, offset_u, offset_v);
-    Answer uv = answer_swizzle(l, uvw, "xy");
+    MapValue uv = map_value_swizzle(l, uvw, "xy");
     uv.value = build_sub(ir, uv.value, offset);
     uv = turned(l, m, 2, uv);
-    Answer answer =
-        answer_of(build_vec(ir, TYPE_vec3, uv.value, build_swizzle(ir, uvw.value, "z")));
+    MapValue answer =
+        map_value_of(build_vec(ir, TYPE_vec3, uv.value, build_swizzle(ir, uvw.value, "z")));
     if (uv.variance)
         answer.variance =
             build_vec(ir, TYPE_vec3, uv.variance, build_swizzle(ir, uvw.variance, "z"));
     return answer;
 }
 
-Answer lower_UVTransform(Lower *l, const Node *node, Group group, const Env *env)
+MapValue lower_UVTransform(Lower *l, const Node *node, Group group, const Env *env)
 {
     const Node *input = lower_param_node(node, P_UVTransform_input);
     if (group == GROUP_DU || group == GROUP_DV) {
-        Ref du = lower_ask(l, input, GROUP_DU, env), dv = lower_ask(l, input, GROUP_DV, env);
-        return answer_of(lower_uv_tangent(l, node, du, dv, group));
+        Ref du = lower_query(l, input, GROUP_DU, env), dv = lower_query(l, input, GROUP_DV, env);
+        return map_value_of(lower_uv_tangent(l, node, du, dv, group));
     }
-    Answer answer = lower_answer(l, input, group, env);
+    MapValue answer = lower_map_value(l, input, group, env);
     return group == GROUP_U ? turned_uv(l, node, answer) : answer;
 }
 
@@ -165,15 +165,15 @@ static void component_matrix(Lower *l, const Transform *transform, Ref m[3][3])
 }
 
 /* Returns M q, the point q transformed by a Transform. */
-static Answer transformed(Lower *l, const Transform *transform, Answer q)
+static MapValue transformed(Lower *l, const Transform *transform, MapValue q)
 {
     Ir *ir = l->ir;
     Ref m[3][3], shift;
     switch (transform->kind) {
     case TRANSFORM_scale:
-        return answer_scaled(l, q, lower_param(l, &transform->scale, TYPE_float));
+        return map_value_scaled(l, q, lower_param(l, &transform->scale, TYPE_float));
     case TRANSFORM_translation:
-        return answer_moved(l, q, lower_param(l, &transform->translation, TYPE_vec3));
+        return map_value_moved(l, q, lower_param(l, &transform->translation, TYPE_vec3));
     case TRANSFORM_matrix:
         for (int i = 0; i < 9; i++)
             m[i / 3][i % 3] = build_float(ir, transform->matrix[i / 3 * 4 + i % 3]);
@@ -184,27 +184,27 @@ static Answer transformed(Lower *l, const Transform *transform, Answer q)
         shift = lower_param(l, &transform->translation, TYPE_vec3);
         break;
     }
-    return answer_moved(l, turned(l, m, 3, q), shift);
+    return map_value_moved(l, turned(l, m, 3, q), shift);
 }
 
-Answer lower_XYZTransform(Lower *l, const Node *node, Group group, const Env *env)
+MapValue lower_XYZTransform(Lower *l, const Node *node, Group group, const Env *env)
 {
     const Node *input = lower_param_node(node, P_XYZTransform_input);
     if (group != GROUP_X)
-        return lower_answer(l, input, group, env);
+        return lower_map_value(l, input, group, env);
     double global[4];
     value_number(node_param(node, P_XYZTransform_useGlobal), TYPE_float, global);
-    Answer q = lower_answer(l, input, global[0] != 0 ? GROUP_P : GROUP_X, env);
+    MapValue q = lower_map_value(l, input, global[0] != 0 ? GROUP_P : GROUP_X, env);
     const Value *transform = node_param(node, P_XYZTransform_transform);
     return transform->kind == VALUE_transform ? transformed(l, transform->transform, q) : q;
 }
 
 /* Lowers a Turbulence: q + amount DTurb(q), for the position and for the texture coordinate
  * alike. */
-Answer lower_Turbulence(Lower *l, const Node *node, Group group, const Env *env)
+MapValue lower_Turbulence(Lower *l, const Node *node, Group group, const Env *env)
 {
     enum { MAX_OCTAVES = 10 };
-    Answer q = lower_answer(l, lower_param_node(node, P_Turbulence_input), group, env);
+    MapValue q = lower_map_value(l, lower_param_node(node, P_Turbulence_input), group, env);
     if (group != GROUP_X && group != GROUP_U)
         return q;
     const Value *octaves = node_param(node, P_Turbulence_octaves);
@@ -214,8 +214,8 @@ Answer lower_Turbulence(Lower *l, const Node *node, Group group, const Env *env)
     Ref n = build_int(l->ir, clamp(given[0], 1, MAX_OCTAVES));
     Ref frequency = lower_param(l, node_param(node, P_Turbulence_frequencyRatio), TYPE_float);
     Ref noise_ratio = lower_param(l, node_param(node, P_Turbulence_noiseRatio), TYPE_float);
-    Answer offset = area_vector_turbulence(l, q, (Ref[]){n, frequency, noise_ratio});
-    offset =
-        answer_scaled(l, offset, lower_param(l, node_param(node, P_Turbulence_amount), TYPE_vec3));
-    return answer_sum(l, q, offset);
+    MapValue offset = area_vector_turbulence(l, q, (Ref[]){n, frequency, noise_ratio});
+    offset = map_value_scaled(l, offset,
+                              lower_param(l, node_param(node, P_Turbulence_amount), TYPE_vec3));
+    return map_value_sum(l, q, offset);
 }

@@ -4,7 +4,7 @@
  *     p = (.2, .3, .7), n = (.1, .6, .79), sharpness 2: shares .01, .36 and .63; x has less than
  *     1/64 and does not count; y is sampled at u = .2, v = .7 and weighs (.36 - 1/64) / (.99 -
  *     2/64) = .36, z at (.2, .3) weighs .64 */
-#include "compiler/lower/answer.h"
+#include "compiler/lower/map_value.h"
 #include "compiler/lower/blend.h"
 #include "compiler/lower/slope.h"
 
@@ -38,7 +38,7 @@ static int place_number(Lower *l, Place place)
 /* Returns the environment of an axis. Equal texture coordinates in equal environments share an
  * environment number, so that nested Triplanars, which read one position, have three of them in
  * total. */
-static Env projected_env(Lower *l, const Env *env, Answer p, int axis)
+static Env projected_env(Lower *l, const Env *env, MapValue p, int axis)
 {
     static const char *const components[AXES] = {"yz", "xz", "xy"};
     Env made = *env;
@@ -68,32 +68,32 @@ static Ref weights_of(Lower *l, Ref p, Ref sharpness)
     return build_div(ir, share, build_dot(ir, share, ones));
 }
 
-Answer lower_Triplanar(Lower *l, const Node *node, Group group, const Env *env)
+MapValue lower_Triplanar(Lower *l, const Node *node, Group group, const Env *env)
 {
     static const char *const component[AXES] = {"x", "y", "z"};
     Ir *ir = l->ir;
     if (!projected_map(node, 0))
-        return answer_as_group(l, answer_of(build_float(ir, 0)), group);
-    const Answer p = lower_answer(l, lower_param_node(node, P_Triplanar_input), GROUP_X, env);
+        return map_value_as_group(l, map_value_of(build_float(ir, 0)), group);
+    const MapValue p = lower_map_value(l, lower_param_node(node, P_Triplanar_input), GROUP_X, env);
     const Ref weight =
         weights_of(l, p.value, lower_param(l, node_param(node, P_Triplanar_sharpness), TYPE_float));
-    Answer side[AXES], sum = {0};
+    MapValue side[AXES], sum = {0};
     Type type = TYPE_float;
     for (int i = 0; i < AXES; i++) {
         const Env there = projected_env(l, env, p, i);
         side[i] = lower_arm(l, projected_map(node, i), GROUP_R, &there);
-        type =
-            i ? answer_common_type(type, ir_type(ir, side[i].value)) : ir_type(ir, side[i].value);
+        type = i ? map_value_common_type(type, ir_type(ir, side[i].value))
+                 : ir_type(ir, side[i].value);
     }
     for (int i = 0; i < AXES; i++) {
         const Ref share = build_swizzle(ir, weight, component[i]);
-        Answer own = answer_widened(l, side[i], type);
+        MapValue own = map_value_widened(l, side[i], type);
         const bool shared = side[i].value == side[(i + 1) % AXES].value ||
                             side[i].value == side[(i + 2) % AXES].value;
         if (l->cheap && !shared && blend_is_costly(ir, own.value) && !ir_is(ir, share, OP_const))
             own.value = blend_guarded(l, build_lt(ir, build_float(ir, 0), share), own.value);
-        const Answer part = answer_scaled(l, own, share);
-        sum = i ? answer_sum(l, sum, part) : part;
+        const MapValue part = map_value_scaled(l, own, share);
+        sum = i ? map_value_sum(l, sum, part) : part;
     }
-    return answer_as_group(l, answer_of(sum.value), group);
+    return map_value_as_group(l, map_value_of(sum.value), group);
 }

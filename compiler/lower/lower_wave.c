@@ -81,31 +81,31 @@ static Ref period_variance(Lower *l, Ref w, double variance, double period)
 }
 
 /* Returns the variance of the wave that results from its argument's variance. */
-static Ref passed_variance(Lower *l, WaveKind kind, Answer v)
+static Ref passed_variance(Lower *l, WaveKind kind, MapValue v)
 {
     Ir *ir = l->ir;
     Ref factor = v.variance ? rate(l, kind, v.value) : 0;
     return factor ? MUL(v.variance, build_square(ir, factor)) : 0;
 }
 
-static Answer one_wave(Lower *l, WaveKind kind, Answer v)
+static MapValue one_wave(Lower *l, WaveKind kind, MapValue v)
 {
     Ref w = footprint_edges(l, v);
     const BoxMean box = w ? box_mean(l, kind, v.value, w) : (BoxMean){0, 0, 1};
-    Answer answer = answer_of(box.mean ? box.mean : point_value(l, kind, v.value));
+    MapValue answer = map_value_of(box.mean ? box.mean : point_value(l, kind, v.value));
     answer.variance = box.variance > 0 ? period_variance(l, w, box.variance, box.period)
                                        : passed_variance(l, kind, v);
     return answer;
 }
 
-Answer lower_wave(Lower *l, const Wave *wave, Answer v)
+MapValue lower_wave(Lower *l, const Wave *wave, MapValue v)
 {
     if (!wave)
         return v;
     if (wave->kind != WAVE_Chain)
         return one_wave(l, wave->kind, v);
-    Answer first = lower_wave(l, wave->first, v);
-    first = answer_scaled(l, first, lower_param(l, &wave->factor, TYPE_float));
-    first = answer_moved(l, first, lower_param(l, &wave->shift, TYPE_float));
+    MapValue first = lower_wave(l, wave->first, v);
+    first = map_value_scaled(l, first, lower_param(l, &wave->factor, TYPE_float));
+    first = map_value_moved(l, first, lower_param(l, &wave->shift, TYPE_float));
     return lower_wave(l, wave->second, first);
 }

@@ -71,7 +71,7 @@ static void count(Side *side, Ref value)
 static void add_map(Side *side, const MetMap *met)
 {
     if (met->outside)
-        count(side, lower_ask(&side->lower, met->map, met->group, &side->env));
+        count(side, lower_query(&side->lower, met->map, met->group, &side->env));
 }
 
 /* Returns true if both lowerings are equal: a mean has additional nodes. */

@@ -93,7 +93,7 @@ static Ref swizzle_slope(Ir *ir, Ref ref, const Ref *slopes)
     return build_components(ir, slopes[0], ir_at(ir, ref)->payload, ir_components(ir, ref));
 }
 
-/* Returns the derivative of a select. A condition with a finite difference (relief.c) counts as
+/* Returns the derivative of a select. A condition with a finite difference (bump.c) counts as
  * a number from 0 to 1; other conditions are constant. */
 static Ref select_slope(Ir *ir, Ref ref, const Ref *slopes)
 {

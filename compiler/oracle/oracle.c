@@ -113,17 +113,17 @@ Environment environment_open(Oracle *oracle, const Surface *surface, int depth)
         .oracle = oracle, .surface = surface, .stamp = ++oracle->stamp, .depth = depth};
 }
 
-double oracle_ask(Environment *environment, const Node *map, int channel)
+double oracle_query(Environment *environment, const Node *map, int channel)
 {
     double value;
     if (!map || group_is_draws(group_of(channel)))
         return environment->surface->root[channel];
     if (memo_find(environment, map, channel, &value))
         return value;
-    oracle_spend(environment, ANSWER_WORK);
+    oracle_spend(environment, MAP_VALUE_WORK);
     if (oracle_spent(environment->oracle))
         return 0;
-    value = oracle_answer(environment, map, channel);
+    value = oracle_map_value(environment, map, channel);
     memo_set(environment, map, channel, value);
     return value;
 }
@@ -137,22 +137,22 @@ static const Node *map_of(const Value *value)
     return value->node;
 }
 
-double oracle_ask_param(Environment *environment, const Node *node, int param, int channel)
+double oracle_query_param(Environment *environment, const Node *node, int param, int channel)
 {
-    return oracle_ask(environment, map_of(node_param(node, param)), channel);
+    return oracle_query(environment, map_of(node_param(node, param)), channel);
 }
 
 /* Evaluates the map `input`, the first parameter of every map that has one; test_oracle checks
  * this. */
-double oracle_ask_input(Environment *environment, const Node *node, int channel)
+double oracle_query_input(Environment *environment, const Node *node, int channel)
 {
-    return oracle_ask_param(environment, node, kind_table[node->kind].first, channel);
+    return oracle_query_param(environment, node, kind_table[node->kind].first, channel);
 }
 
-void oracle_ask_input3(Environment *environment, const Node *node, Group group, double result[3])
+void oracle_query_input3(Environment *environment, const Node *node, Group group, double result[3])
 {
     for (int component = 0; component < 3; component++)
-        result[component] = oracle_ask_input(environment, node, channel_id(group, component));
+        result[component] = oracle_query_input(environment, node, channel_id(group, component));
 }
 
 double oracle_float(const Value *value)
@@ -181,5 +181,5 @@ double oracle_channel(Oracle *oracle, const Node *map, int channel, const Surfac
     assert(channel >= 0 && channel < CHANNEL_ID_COUNT);
     Environment environment = environment_open(oracle, surface, 0);
     oracle->work = 0;
-    return oracle_ask(&environment, map, channel);
+    return oracle_query(&environment, map, channel);
 }

@@ -55,10 +55,10 @@ double oracle_Cells(Environment *environment, const Node *node, int channel)
                          keyword_of(node, P_Cells_value, KEYWORD_CellsValue_random) == 0};
     const Group group = cells.dimensions == 2 ? GROUP_U : GROUP_X;
     double q[3], q0[3];
-    oracle_ask_input3(environment, node, group, q);
+    oracle_query_input3(environment, node, group, q);
     if (!environment->centre || !cells.random)
         return oracle_same_of_all(environment, node, channel, cells_at(&cells, q));
-    oracle_ask_input3(environment->centre, node, group, q0);
+    oracle_query_input3(environment->centre, node, group, q0);
     const Stepped map = {
         cells_at, &cells, {CELLS_STEP, CELLS_STEP, cells.dimensions == 3 ? CELLS_STEP : 0}};
     return oracle_same_of_all(environment, node, channel, oracle_along_steps(&map, q0, q));
@@ -69,11 +69,11 @@ double oracle_CellCentre(Environment *environment, const Node *node, int channel
     const Group group = group_of(channel);
     static const int functions[] = {FN_cells2Centre, FN_cells3Centre};
     if (!in_triple(channel, GROUP_X) && !(in_triple(channel, GROUP_U) && component_of(channel) < 2))
-        return oracle_ask_input(environment, node, channel);
+        return oracle_query_input(environment, node, channel);
     const Question about = {group == GROUP_U ? 2 : 3, oracle_number(node, P_CellCentre_jitter),
                             keyword_of(node, P_CellCentre_distance, KEYWORD_Distance_euclidean), 0};
     double q[3], point[4];
-    oracle_ask_input3(environment, node, group, q);
+    oracle_query_input3(environment, node, group, q);
     ask(environment, functions, &about, q, point);
     for (int i = 0; i < about.dimensions; i++)
         memo_set(environment, node, channel_id(group, i), point[i]);

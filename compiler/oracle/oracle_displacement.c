@@ -14,8 +14,8 @@ static void solid_heights(Environment *environment, const Displacement *d, doubl
     const double scale = oracle_float(d->scale);
     for (int component = 0; component < ORACLE_HEIGHTS; component++)
         heights[component] =
-            fmax(-bound, fmin(bound, scale * oracle_ask(environment, d->volume->node,
-                                                        channel_id(GROUP_R, component))));
+            fmax(-bound, fmin(bound, scale * oracle_query(environment, d->volume->node,
+                                                          channel_id(GROUP_R, component))));
     for (int component = 0; d->threshold->kind != VALUE_none && component < ORACLE_HEIGHTS;
          component += 2)
         if (heights[component] < oracle_float(d->threshold))
@@ -36,10 +36,10 @@ void oracle_move_by(Environment *environment, const Node *displaced, double move
     for (int component = 0; component < 3; component++)
         move[component] =
             d.vector->kind == VALUE_node
-                ? scale * oracle_ask(environment, d.vector->node, channel_id(GROUP_R, component))
+                ? scale * oracle_query(environment, d.vector->node, channel_id(GROUP_R, component))
                 : 0;
     if (d.height->kind == VALUE_node)
-        move[ALONG_N] += scale * oracle_ask(environment, d.height->node, channel_id(GROUP_R, 0));
+        move[ALONG_N] += scale * oracle_query(environment, d.height->node, channel_id(GROUP_R, 0));
     for (int component = 0; component < 3; component++)
         size += fabs(move[component]);
     for (int component = 0; component < 3 && size > bound; component++)
@@ -72,7 +72,7 @@ void oracle_move(Environment *environment, const Node *displaced, OracleDisplace
 static double length(const double v[3]) { return fmax(vec3_length(v), 1e-30); }
 
 /* Sets the derivative of n / |n| if n changes by `change`. */
-static void turn_of(const double n[3], const double change[3], double turn[3])
+static void uv_transform_chain(const double n[3], const double change[3], double turn[3])
 {
     const double size = length(n), along = vec3_dot(n, change) / (size * size);
     for (int i = 0; i < 3; i++)
@@ -92,7 +92,7 @@ static void swing_of(const double n[3], const double tangent[3], const double ch
                      double swing[3])
 {
     double turn[3];
-    turn_of(tangent, change, turn);
+    uv_transform_chain(tangent, change, turn);
     const double size = length(n), along = vec3_dot(n, turn) / (size * size);
     for (int i = 0; i < 3; i++)
         swing[i] = turn[i] - along * n[i];
@@ -124,8 +124,8 @@ void oracle_displace(Environment *environment, const Node *displaced, Surface *s
     const double size_n = length(n), size_u = length(tu), size_v = length(tv);
     vec3_cross(tu, tv, mesh);
     const double side = vec3_dot(mesh, n) < 0 ? -1 : 1;
-    turn_of(n, surface->normal_u, turn_u);
-    turn_of(n, surface->normal_v, turn_v);
+    uv_transform_chain(n, surface->normal_u, turn_u);
+    uv_transform_chain(n, surface->normal_v, turn_v);
     const double up_u = d.by_u[ALONG_N] - falls(&d, turn_u, tu, tv),
                  up_v = d.by_v[ALONG_N] - falls(&d, turn_v, tu, tv);
     for (int i = 0; i < 3; i++) {

@@ -37,7 +37,7 @@ static void quantity_at(Environment *environment, const Node *node, Quantity qua
         return;
     }
     double group[3];
-    oracle_ask_input3(environment, node, row->group, group);
+    oracle_query_input3(environment, node, row->group, group);
     if (quantity == QUANTITY_N)
         reference_of(FN_safeNormalize)(NULL, (const double[]){group[0], group[1], group[2]}, group);
     for (int i = 0; row->components[i]; i++)
@@ -51,7 +51,7 @@ static void input_at(Environment *environment, const Item *item, double result[4
 {
     const int width = item->width ? item->width : item->input ? item->input->width : 3;
     for (int i = 0; i < width; i++)
-        result[i] = oracle_ask(environment, item->input, channel_id(GROUP_R, i));
+        result[i] = oracle_query(environment, item->input, channel_id(GROUP_R, i));
     for (int i = 1; width == 1 && i < 4; i++)
         result[i] = result[0];
 }

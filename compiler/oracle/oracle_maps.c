@@ -4,14 +4,14 @@
 #include "compiler/base/vec3.h"
 #include <assert.h>
 
-static Answer *const answers[KIND_COUNT] = {
-#define ANSWER_OWN(name)                         oracle_##name
-#define ANSWER_VOLUME(name)                      oracle_volume
-#define MAP(name, function, lowering, cost, doc) [KIND_##name] = ANSWER_##lowering(name),
+static MapValue *const answers[KIND_COUNT] = {
+#define MAP_VALUE_OWN(name)                      oracle_##name
+#define MAP_VALUE_VOLUME(name)                   oracle_volume
+#define MAP(name, function, lowering, cost, doc) [KIND_##name] = MAP_VALUE_##lowering(name),
 #include "grammar/maps.def"
 };
 
-double oracle_answer(Environment *environment, const Node *node, int channel)
+double oracle_map_value(Environment *environment, const Node *node, int channel)
 {
     assert(answers[node->kind]); /* the node is a map, not a material */
     return answers[node->kind](environment, node, channel);
@@ -147,10 +147,10 @@ double oracle_volume(Environment *environment, const Node *node, int channel)
     const double step = volume_step(node->kind);
     const Volume volume = {environment, node};
     double p[3], p0[3];
-    oracle_ask_input3(environment, node, GROUP_X, p);
+    oracle_query_input3(environment, node, GROUP_X, p);
     if (!environment->centre || step == 0)
         return oracle_same_of_all(environment, node, channel, volume_at(&volume, p));
-    oracle_ask_input3(environment->centre, node, GROUP_X, p0);
+    oracle_query_input3(environment->centre, node, GROUP_X, p0);
     const Stepped map = {volume_at, &volume, {step, step, step}};
     return oracle_same_of_all(environment, node, channel, oracle_along_steps(&map, p0, p));
 }
@@ -160,7 +160,7 @@ double oracle_Gradient(Environment *environment, const Node *node, int channel)
     if (component_of(channel) == 3)
         return 1;
     double p[3], direction[3];
-    oracle_ask_input3(environment, node, GROUP_X, p);
+    oracle_query_input3(environment, node, GROUP_X, p);
     oracle_number3(node, P_Gradient_direction, direction);
     double f = vec3_dot(p, direction);
     return oracle_same_of_all(environment, node, channel, oracle_waved(environment, node, f));
@@ -174,7 +174,7 @@ double oracle_VolumeTurbulence(Environment *environment, const Node *node, int c
     double octaves = clamp(trunc(oracle_number(node, P_VolumeTurbulence_octaves)), 1, 11);
     double ratio = oracle_number(node, P_VolumeTurbulence_noiseRatio);
     double p[3], sum;
-    oracle_ask_input3(environment, node, GROUP_X, p);
+    oracle_query_input3(environment, node, GROUP_X, p);
     oracle_call(environment, FN_turbulence,
                 (double[]){size * p[0], size * p[1], size * p[2], octaves,
                            oracle_number(node, P_VolumeTurbulence_frequencyRatio), ratio},
@@ -202,13 +202,13 @@ static double blend_at(Environment *environment, const Items *items, double t, i
     int above = item_above(items, t);
     oracle_spend(environment, (double)ITEM_WORK * above);
     if (above == 0)
-        return oracle_ask(environment, items->item[0].input, channel);
+        return oracle_query(environment, items->item[0].input, channel);
     const Item *a = &items->item[above - 1], *b = a + 1;
-    double value = oracle_ask(environment, a->input, channel);
+    double value = oracle_query(environment, a->input, channel);
     if (above == items->count)
         return value;
     double low = item_value(a), high = item_value(b);
-    return (value * (high - t) + oracle_ask(environment, b->input, channel) * (t - low)) /
+    return (value * (high - t) + oracle_query(environment, b->input, channel) * (t - low)) /
            (high - low);
 }
 
@@ -259,7 +259,7 @@ static double blend_along(Environment *environment, const Items *items, Along al
     const Along a = answering(along);
     if (!environment->centre || !within || !is_checker(a.map))
         return blend_at(environment, items,
-                        oracle_ask(environment, along.map, channel_id(along.group, 0)), channel);
+                        oracle_query(environment, along.map, channel_id(along.group, 0)), channel);
     const int color1 = a.map->kind == KIND_Checker ? P_Checker_color1 : P_VolumeChecker_color1;
     const double share = oracle_odd_share(environment, a.map);
     double mean = 0;
@@ -277,7 +277,7 @@ double oracle_Blend(Environment *environment, const Node *node, int channel)
     enum { WITHIN = 4 };
     const Value *blend = node_param(node, P_Blend_blend);
     if (blend->kind != VALUE_items || blend->items->count == 0)
-        return oracle_ask_input(environment, node, channel);
+        return oracle_query_input(environment, node, channel);
     const Along along = {node_of(node_param(node, P_Blend_input)), GROUP_X};
     return blend_along(environment, blend->items, along, channel, WITHIN);
 }

@@ -88,12 +88,12 @@ bool memo_find(const Environment *environment, const Node *node, int channel, do
 void memo_set(const Environment *environment, const Node *node, int channel, double value);
 
 /* Evaluates a channel of a map; NULL is the surface. Cached per environment. */
-double oracle_ask(Environment *environment, const Node *map, int channel);
+double oracle_query(Environment *environment, const Node *map, int channel);
 /* Evaluates a channel of the map that a parameter holds. */
-double oracle_ask_param(Environment *environment, const Node *node, int param, int channel);
+double oracle_query_param(Environment *environment, const Node *node, int param, int channel);
 /* Evaluates a channel of a map's `input`, or components 0..2 of a group. */
-double oracle_ask_input(Environment *environment, const Node *node, int channel);
-void oracle_ask_input3(Environment *environment, const Node *node, Group group, double result[3]);
+double oracle_query_input(Environment *environment, const Node *node, int channel);
+void oracle_query_input3(Environment *environment, const Node *node, Group group, double result[3]);
 
 /* Return numbers, from literals or uniforms: of a value, or of a parameter. */
 double oracle_float(const Value *value);
@@ -127,11 +127,11 @@ void oracle_displace(Environment *environment, const Node *displaced, Surface *s
 
 /* Costs of evaluation in steps of some 5 ns. oracle_work.c */
 enum {
-    ANSWER_WORK = 100, /* per map value: delegation and memory */
-    CALL_WORK = 3,     /* per operation of a reference, as grammar/ counts those of its GLSL */
-    ITEM_WORK = 3,     /* per skipped item of a Blend */
-    WAVE_WORK = 10,    /* per wave, alone or in a chain */
-    TEXEL_WORK = 12    /* per texel that a Carpenter bakes */
+    MAP_VALUE_WORK = 100, /* per map value: delegation and memory */
+    CALL_WORK = 3,        /* per operation of a reference, as grammar/ counts those of its GLSL */
+    ITEM_WORK = 3,        /* per skipped item of a Blend */
+    WAVE_WORK = 10,       /* per wave, alone or in a chain */
+    TEXEL_WORK = 12       /* per texel that a Carpenter bakes */
 };
 /* Adds to the cost of evaluating the point. */
 void oracle_spend(const Environment *environment, double steps);
@@ -182,10 +182,10 @@ static inline bool is_derivative(int channel)
 
 /* Evaluates a channel of a map: oracle_<kind> for each map that is not a plain function of its
  * position. */
-typedef double Answer(Environment *environment, const Node *node, int channel);
-Answer oracle_answer; /* any map: dispatches on its kind */
-Answer oracle_volume; /* declares oracle_volume for LOWERING_VOLUME */
-#define DECLARE_OWN(name) Answer oracle_##name;
+typedef double MapValue(Environment *environment, const Node *node, int channel);
+MapValue oracle_map_value; /* any map: dispatches on its kind */
+MapValue oracle_volume;    /* declares oracle_volume for LOWERING_VOLUME */
+#define DECLARE_OWN(name) MapValue oracle_##name;
 #define DECLARE_VOLUME(name)
 #define MAP(name, function, lowering, cost, doc) DECLARE_##lowering(name)
 #include "grammar/maps.def"
@@ -193,13 +193,13 @@ Answer oracle_volume; /* declares oracle_volume for LOWERING_VOLUME */
 #undef DECLARE_VOLUME
 /* Functions shared by several materials, from oracle_material.c. */
 /* Evaluates the RGB of a parameter's map. */
-void oracle_ask_colour(Environment *environment, const Node *node, int param, double rgb[3]);
+void oracle_query_colour(Environment *environment, const Node *node, int param, double rgb[3]);
 /* Stores a normal with unit length, flipped to the visible side. */
 void oracle_set_normal(const Environment *environment, const double normal[3], SlotValues *result);
 const Node *oracle_material_of(const Node *material, int param); /* NULL: none */
 /* Evaluates the slots of one side of a material, converted to the surface model of the whole. */
-void oracle_answer_as(Environment *environment, const Node *whole, const Node *side,
-                      SlotValues *result);
+void oracle_map_value_as(Environment *environment, const Node *whole, const Node *side,
+                         SlotValues *result);
 bool oracle_is_principled(const Environment *environment, const Node *material);
 void oracle_as_principled(SlotValues *side); /* converts a Phong's slots. oracle_principled.c */
 /* Evaluates a material's slots, written over those of a neutral material. oracle_material.c */

@@ -38,16 +38,17 @@ static void set_colour(SlotValues *result, Slot slot, const double rgb[3])
     memcpy(result->component[slot], rgb, 3 * sizeof *rgb);
 }
 
-void oracle_ask_colour(Environment *environment, const Node *node, int param, double rgb[3])
+void oracle_query_colour(Environment *environment, const Node *node, int param, double rgb[3])
 {
     for (int component = 0; component < 3; component++)
-        rgb[component] = oracle_ask_param(environment, node, param, channel_id(GROUP_R, component));
+        rgb[component] =
+            oracle_query_param(environment, node, param, channel_id(GROUP_R, component));
 }
 
 static void slot_colour(Environment *environment, const Node *node, int param, Slot slot,
                         SlotValues *result)
 {
-    oracle_ask_colour(environment, node, param, result->component[slot]);
+    oracle_query_colour(environment, node, param, result->component[slot]);
 }
 
 void oracle_set_normal(const Environment *environment, const double normal[3], SlotValues *result)
@@ -101,7 +102,7 @@ static void exponent(Environment *environment, const Node *material, int param, 
 {
     if (node_param(material, param)->kind == VALUE_none)
         return;
-    double red = oracle_ask_param(environment, material, param, channel_id(GROUP_R, 0));
+    double red = oracle_query_param(environment, material, param, channel_id(GROUP_R, 0));
     oracle_call(environment, FN_phongExponent, &red, result->component[slot]);
 }
 
@@ -109,9 +110,10 @@ static void exponent(Environment *environment, const Node *material, int param, 
  * at 1 the transparency map decides. */
 static void transparency(Environment *environment, const Node *material, SlotValues *result)
 {
-    double alpha = oracle_ask_param(environment, material, P_Phong_diffuse, channel_id(GROUP_R, 3));
+    double alpha =
+        oracle_query_param(environment, material, P_Phong_diffuse, channel_id(GROUP_R, 3));
     double colour[3];
-    oracle_ask_colour(environment, material, P_Phong_transparency, colour);
+    oracle_query_colour(environment, material, P_Phong_transparency, colour);
     result->component[SLOT_alpha][0] = alpha;
     for (int i = 0; i < 3; i++)
         result->component[SLOT_transparency][i] = 1 + alpha * (colour[i] - 1);
@@ -123,10 +125,11 @@ void oracle_Phong(Environment *environment, const Node *material, SlotValues *re
 {
     double normal[3];
     for (int i = 0; i < 3; i++)
-        normal[i] = oracle_ask_param(environment, material, P_Phong_input, channel_id(GROUP_N, i));
+        normal[i] =
+            oracle_query_param(environment, material, P_Phong_input, channel_id(GROUP_N, i));
     oracle_set_normal(environment, normal, result);
     result->component[SLOT_ior][0] =
-        oracle_ask_param(environment, material, P_Phong_input, channel_id(GROUP_IOR, 0));
+        oracle_query_param(environment, material, P_Phong_input, channel_id(GROUP_IOR, 0));
     slot_colour(environment, material, P_Phong_diffuse, SLOT_diffuse, result);
     slot_colour(environment, material, P_Phong_specular, SLOT_specular, result);
     slot_colour(environment, material, P_Phong_diffuseTransparency, SLOT_diffuseTransparency,
@@ -228,8 +231,8 @@ static void answer(Environment *environment, const Node *material, SlotValues *r
         oracle_as_principled(result);
 }
 
-void oracle_answer_as(Environment *environment, const Node *whole, const Node *side,
-                      SlotValues *result)
+void oracle_map_value_as(Environment *environment, const Node *whole, const Node *side,
+                         SlotValues *result)
 {
     answer(environment, side, result);
     if (oracle_is_principled(environment, whole) &&
@@ -253,7 +256,7 @@ static Surface unseen(const Surface *surface)
 
 /* Evaluates a material with displacement. Maps read the undisplaced mesh; only the normals, and
  * the maps in `input`, use the displaced surface. */
-static void answer_displaced(Environment *environment, const Node *material, SlotValues *result)
+static void map_value_displaced(Environment *environment, const Node *material, SlotValues *result)
 {
     const Node *displaced = oracle_displaced(material);
     answer(environment, material, result);
@@ -279,10 +282,10 @@ typedef struct {
     SlotValues *result;
 } Question;
 
-static void answer_on_stack(void *user)
+static void map_value_on_stack(void *user)
 {
     Question *question = user;
-    answer_displaced(&question->environment, question->material, question->result);
+    map_value_displaced(&question->environment, question->material, question->result);
 }
 
 bool oracle_material(Oracle *oracle, const Node *material, const Surface *surface,
@@ -290,7 +293,7 @@ bool oracle_material(Oracle *oracle, const Node *material, const Surface *surfac
 {
     Question question = {environment_open(oracle, surface, 0), material, result};
     oracle->work = 0;
-    stack_run(material ? material->depth : 0, answer_on_stack, &question);
+    stack_run(material ? material->depth : 0, map_value_on_stack, &question);
     return !oracle_spent(oracle);
 }
 

@@ -7,7 +7,7 @@ static const double MIN_WIDTH = 1e-30, MAX_EXPONENT = 64;
 /* Returns a component of a parameter's color, that of the channel, whatever its group. */
 static double component_at(Environment *environment, const Node *node, int param, int component)
 {
-    return oracle_ask_param(environment, node, param, channel_id(GROUP_R, component));
+    return oracle_query_param(environment, node, param, channel_id(GROUP_R, component));
 }
 
 double oracle_Mix(Environment *environment, const Node *node, int channel)
@@ -113,9 +113,9 @@ double oracle_Switch(Environment *environment, const Node *node, int channel)
     if (maps->kind != VALUE_items || !maps->items->count)
         return component_of(channel) == 3;
     const double i = floor(component_at(environment, node, P_Switch_which, 0) + .5);
-    return oracle_ask(environment,
-                      maps->items->item[(int)fmin(fmax(i, 0), maps->items->count - 1)].input,
-                      channel);
+    return oracle_query(environment,
+                        maps->items->item[(int)fmin(fmax(i, 0), maps->items->count - 1)].input,
+                        channel);
 }
 
 double oracle_Combine(Environment *environment, const Node *node, int channel)

@@ -8,11 +8,11 @@ typedef struct {
     double n[3], du[3], dv[3];
 } Frame;
 
-static void ask_frame(Environment *environment, const Node *node, Frame *frame)
+static void query_frame(Environment *environment, const Node *node, Frame *frame)
 {
-    oracle_ask_input3(environment, node, GROUP_N, frame->n);
-    oracle_ask_input3(environment, node, GROUP_DU, frame->du);
-    oracle_ask_input3(environment, node, GROUP_DV, frame->dv);
+    oracle_query_input3(environment, node, GROUP_N, frame->n);
+    oracle_query_input3(environment, node, GROUP_DU, frame->du);
+    oracle_query_input3(environment, node, GROUP_DV, frame->dv);
 }
 
 static double guarded_length(const double v[3]) { return fmax(vec3_length(v), 1e-30); }
@@ -230,16 +230,16 @@ static double raised_frame(Environment *environment, const Node *node, const Fra
 
 static double red(Environment *environment, const Node *map, int component)
 {
-    return oracle_ask(environment, map, channel_id(GROUP_R, component));
+    return oracle_query(environment, map, channel_id(GROUP_R, component));
 }
 
 double oracle_BumpMap(Environment *environment, const Node *node, int channel)
 {
     bool flat = node_param(node, P_BumpMap_displacement)->kind == VALUE_none;
     if (flat || !in_frame(channel))
-        return oracle_ask_input(environment, node, channel);
+        return oracle_query_input(environment, node, channel);
     Frame frame;
-    ask_frame(environment, node, &frame);
+    query_frame(environment, node, &frame);
     double k = 0.02 * oracle_number(node, P_BumpMap_strength) / guarded_length(frame.n);
     double slope[2];
     if (environment->oracle->derivatives != CHOICE_derivatives_finite) {
@@ -252,9 +252,9 @@ double oracle_BumpMap(Environment *environment, const Node *node, int channel)
                            slope);
     } else {
         slope[0] =
-            oracle_ask_param(environment, node, P_BumpMap_displacement, channel_id(GROUP_DU, 0));
+            oracle_query_param(environment, node, P_BumpMap_displacement, channel_id(GROUP_DU, 0));
         slope[1] =
-            oracle_ask_param(environment, node, P_BumpMap_displacement, channel_id(GROUP_DV, 0));
+            oracle_query_param(environment, node, P_BumpMap_displacement, channel_id(GROUP_DV, 0));
     }
     return raised_frame(environment, node, &frame, (double[]){k * slope[0], k * slope[1]}, channel);
 }
@@ -287,18 +287,18 @@ static bool on_box_top(const WavePoint *point)
 double oracle_WaveMap(Environment *environment, const Node *node, int channel)
 {
     if (!in_frame(channel))
-        return oracle_ask_input(environment, node, channel);
-    WavePoint point = {oracle_ask_input(environment, node, channel_id(GROUP_U, 0)),
-                       oracle_ask_input(environment, node, channel_id(GROUP_U, 1)),
+        return oracle_query_input(environment, node, channel);
+    WavePoint point = {oracle_query_input(environment, node, channel_id(GROUP_U, 0)),
+                       oracle_query_input(environment, node, channel_id(GROUP_U, 1)),
                        oracle_number(node, P_WaveMap_uCount),
                        oracle_number(node, P_WaveMap_vCount)};
     bool box_top = oracle_number(node, P_WaveMap_boxTop) != 0;
     if (box_top)
         move_to_box_top(&point);
     if (box_top && !on_box_top(&point))
-        return oracle_ask_input(environment, node, channel);
+        return oracle_query_input(environment, node, channel);
     Frame frame;
-    ask_frame(environment, node, &frame);
+    query_frame(environment, node, &frame);
     double k = oracle_number(node, P_WaveMap_amplitude) / guarded_length(frame.n);
     double omega_u = 2 * M_PI * point.count_u, omega_v = 2 * M_PI * point.count_v;
     double slope_u = -omega_u * sin(omega_u * point.u) * cos(omega_v * point.v);
@@ -330,7 +330,7 @@ static void shifted_input(Environment *environment, const Node *node, const Comp
     moved.origin = environment->origin ? &moved_centre : NULL;
     moved.centre = environment->centre ? &moved_centre : NULL;
     for (int i = 0; i < components->count; i++)
-        result[i] = oracle_ask_input(&moved, node, components->first + i);
+        result[i] = oracle_query_input(&moved, node, components->first + i);
 }
 
 enum { CENTRE = 13 }; /* index of the center among the 27 cells */

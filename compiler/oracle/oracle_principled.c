@@ -7,9 +7,9 @@
 
 static const double GREATEST_EXPONENT = 65504, LEAST = 1e-6;
 
-static double ask_red(Environment *environment, const Node *material, int param)
+static double query_red(Environment *environment, const Node *material, int param)
 {
-    return oracle_ask_param(environment, material, param, channel_id(GROUP_R, 0));
+    return oracle_query_param(environment, material, param, channel_id(GROUP_R, 0));
 }
 
 static double unit(double x) { return fmin(fmax(x, 0), 1); }
@@ -28,12 +28,12 @@ typedef struct {
  * coatRoughening. */
 static OracleCoat coat_of(Environment *environment, const Node *node, const int params[6])
 {
-    OracleCoat coat = {.weight = unit(ask_red(environment, node, params[0])),
-                       .roughness = ask_red(environment, node, params[2]),
-                       .ior = fmax(ask_red(environment, node, params[3]), 0),
-                       .darkening = ask_red(environment, node, params[4]),
-                       .roughening = ask_red(environment, node, params[5])};
-    oracle_ask_colour(environment, node, params[1], coat.colour);
+    OracleCoat coat = {.weight = unit(query_red(environment, node, params[0])),
+                       .roughness = query_red(environment, node, params[2]),
+                       .ior = fmax(query_red(environment, node, params[3]), 0),
+                       .darkening = query_red(environment, node, params[4]),
+                       .roughening = query_red(environment, node, params[5])};
+    oracle_query_colour(environment, node, params[1], coat.colour);
     return coat;
 }
 
@@ -76,15 +76,15 @@ static void lay(const OracleCoat *coat, double ior, double specular, SlotValues 
  * the tangent's angle from dP/du toward dP/dv. */
 static void set_anisotropy(Environment *environment, const Node *material, SlotValues *result)
 {
-    const double strength = unit(ask_red(environment, material, P_Principled_anisotropy));
-    double turn = 4 * M_PI * ask_red(environment, material, P_Principled_anisotropyRotation),
+    const double strength = unit(query_red(environment, material, P_Principled_anisotropy));
+    double turn = 4 * M_PI * query_red(environment, material, P_Principled_anisotropyRotation),
            tangent[3], beside[3], m[3];
     const double *du = &environment->surface->root[channel_id(GROUP_DU, 0)],
                  *dv = &environment->surface->root[channel_id(GROUP_DV, 0)];
     if (!(strength > 0))
         return;
     if (node_param(material, P_Principled_tangent)->kind != VALUE_none) {
-        oracle_ask_colour(environment, material, P_Principled_tangent, tangent);
+        oracle_query_colour(environment, material, P_Principled_tangent, tangent);
         vec3_cross(du, dv, m);
         vec3_cross(m, du, beside);
         turn += 2 * atan2(vec3_dot(tangent, beside), vec3_dot(tangent, du) * vec3_length(m));
@@ -98,21 +98,21 @@ static void set_anisotropy(Environment *environment, const Node *material, SlotV
  * call the diffuse slot is b (1 - metal + metal weight). */
 static void let_through(Environment *environment, const Node *material, SlotValues *result)
 {
-    const double clear = unit(ask_red(environment, material, P_Principled_transmission)),
+    const double clear = unit(query_red(environment, material, P_Principled_transmission)),
                  metal = result->component[SLOT_metalness][0];
-    const double below = unit(ask_red(environment, material, P_Principled_subsurface)),
+    const double below = unit(query_red(environment, material, P_Principled_subsurface)),
                  opacity = result->component[SLOT_alpha][0];
     const double on =
-        fmin(fmax(ask_red(environment, material, P_Principled_subsurfaceAnisotropy), -1), 1);
-    const double weight = ask_red(environment, material, P_Principled_specular),
-                 base_weight = ask_red(environment, material, P_Principled_baseWeight);
+        fmin(fmax(query_red(environment, material, P_Principled_subsurfaceAnisotropy), -1), 1);
+    const double weight = query_red(environment, material, P_Principled_specular),
+                 base_weight = query_red(environment, material, P_Principled_baseWeight);
     const bool thin = oracle_number(material, P_Principled_thinWalled) != 0;
     double tint[3], scattered[3], base[3], most = 0;
     if (!(clear > 0) && !(below > 0))
         return;
-    oracle_ask_colour(environment, material, P_Principled_transmissionColor, tint);
-    oracle_ask_colour(environment, material, P_Principled_subsurfaceColor, scattered);
-    oracle_ask_colour(environment, material, P_Principled_baseColor, base);
+    oracle_query_colour(environment, material, P_Principled_transmissionColor, tint);
+    oracle_query_colour(environment, material, P_Principled_subsurfaceColor, scattered);
+    oracle_query_colour(environment, material, P_Principled_baseColor, base);
     for (int i = 0; i < 3; i++) {
         const double back = scattered[i] * (thin ? (1 - on) / 2 : 1), own = base[i] * base_weight;
         const double through =
@@ -129,9 +129,9 @@ static void let_through(Environment *environment, const Node *material, SlotValu
 
 static void set_film(Environment *environment, const Node *material, SlotValues *result)
 {
-    const double there = unit(ask_red(environment, material, P_Principled_film)),
-                 ior = film_ior(ask_red(environment, material, P_Principled_filmIor));
-    const double path = 2 * ask_red(environment, material, P_Principled_filmThickness) * ior;
+    const double there = unit(query_red(environment, material, P_Principled_film)),
+                 ior = film_ior(query_red(environment, material, P_Principled_filmIor));
+    const double path = 2 * query_red(environment, material, P_Principled_filmThickness) * ior;
     if (!(there > 0))
         return;
     result->component[SLOT_film][0] = there;
@@ -148,7 +148,7 @@ static void set_coat_normal(Environment *environment, const Node *material, int 
     if (graph_coat_follows(environment->oracle->graph, material))
         return;
     for (int i = 0; i < 3; i++)
-        normal[i] = oracle_ask_param(environment, material, param, channel_id(GROUP_N, i));
+        normal[i] = oracle_query_param(environment, material, param, channel_id(GROUP_N, i));
     oracle_call(environment, FN_safeNormalize, normal, component);
     for (int i = 0; i < 3 && !environment->surface->front; i++)
         component[i] = -component[i];
@@ -157,7 +157,7 @@ static void set_coat_normal(Environment *environment, const Node *material, int 
 /* Returns the reflectance of both sides of a thin, transmissive wall. */
 static double of_both_sides(Environment *environment, const Node *material, double once)
 {
-    const double clear = unit(ask_red(environment, material, P_Principled_transmission));
+    const double clear = unit(query_red(environment, material, P_Principled_transmission));
     return oracle_number(material, P_Principled_thinWalled) == 0
                ? once
                : mixed(once, 2 * once / fmax(1 + once, LEAST), clear);
@@ -173,32 +173,32 @@ void oracle_Principled(Environment *environment, const Node *material, SlotValue
     double normal[3], colour[3];
     for (int i = 0; i < 3; i++)
         normal[i] =
-            oracle_ask_param(environment, material, P_Principled_input, channel_id(GROUP_N, i));
+            oracle_query_param(environment, material, P_Principled_input, channel_id(GROUP_N, i));
     oracle_set_normal(environment, normal, result);
-    const double metal = ask_red(environment, material, P_Principled_metalness);
-    const double weight = ask_red(environment, material, P_Principled_specular);
-    const double opacity = ask_red(environment, material, P_Principled_opacity);
-    const double ior = fmax(ask_red(environment, material, P_Principled_ior), 0);
-    oracle_ask_colour(environment, material, P_Principled_baseColor, colour);
+    const double metal = query_red(environment, material, P_Principled_metalness);
+    const double weight = query_red(environment, material, P_Principled_specular);
+    const double opacity = query_red(environment, material, P_Principled_opacity);
+    const double ior = fmax(query_red(environment, material, P_Principled_ior), 0);
+    oracle_query_colour(environment, material, P_Principled_baseColor, colour);
     for (int i = 0; i < 3; i++)
         result->component[SLOT_diffuse][i] =
-            colour[i] * ask_red(environment, material, P_Principled_baseWeight) *
+            colour[i] * query_red(environment, material, P_Principled_baseWeight) *
             (1 - metal + metal * weight);
-    oracle_ask_colour(environment, material, P_Principled_emissionColor, colour);
+    oracle_query_colour(environment, material, P_Principled_emissionColor, colour);
     for (int i = 0; i < 3; i++)
         result->component[SLOT_emissive][i] =
-            opacity * colour[i] * ask_red(environment, material, P_Principled_emission);
-    oracle_ask_colour(environment, material, P_Principled_specularColor,
-                      result->component[SLOT_specular]);
+            opacity * colour[i] * query_red(environment, material, P_Principled_emission);
+    oracle_query_colour(environment, material, P_Principled_specularColor,
+                        result->component[SLOT_specular]);
     for (int i = 0; i < 3; i++)
         result->component[SLOT_transparency][i] = 1 - opacity;
     result->component[SLOT_alpha][0] = opacity;
     result->component[SLOT_metalness][0] = metal;
-    result->component[SLOT_roughness][0] = ask_red(environment, material, P_Principled_roughness);
+    result->component[SLOT_roughness][0] = query_red(environment, material, P_Principled_roughness);
     result->component[SLOT_reflectance][0] = weight * reflectance_of(ior);
     result->component[SLOT_model][0] = MODEL_Principled;
     result->component[SLOT_diffuseRoughness][0] =
-        unit(ask_red(environment, material, P_Principled_diffuseRoughness));
+        unit(query_red(environment, material, P_Principled_diffuseRoughness));
     set_anisotropy(environment, material, result);
     let_through(environment, material, result);
     set_film(environment, material, result);
@@ -208,14 +208,14 @@ void oracle_Principled(Environment *environment, const Node *material, SlotValue
         set_coat_normal(environment, material, P_Principled_coatNormal, result);
     result->component[SLOT_reflectance][0] =
         of_both_sides(environment, material, result->component[SLOT_reflectance][0]);
-    const double fuzz = ask_red(environment, material, P_Principled_fuzz);
+    const double fuzz = query_red(environment, material, P_Principled_fuzz);
     if (!(fuzz > 0))
         return;
     result->component[SLOT_fuzz][0] = fuzz;
-    oracle_ask_colour(environment, material, P_Principled_fuzzColor,
-                      result->component[SLOT_fuzzColor]);
+    oracle_query_colour(environment, material, P_Principled_fuzzColor,
+                        result->component[SLOT_fuzzColor]);
     result->component[SLOT_fuzzRoughness][0] =
-        ask_red(environment, material, P_Principled_fuzzRoughness);
+        query_red(environment, material, P_Principled_fuzzRoughness);
 }
 
 void oracle_Layer(Environment *environment, const Node *material, SlotValues *result)
@@ -223,10 +223,10 @@ void oracle_Layer(Environment *environment, const Node *material, SlotValues *re
     static const int coat_params[] = {P_Layer_coat,          P_Layer_coatColor,
                                       P_Layer_coatRoughness, P_Layer_coatIor,
                                       P_Layer_coatDarkening, P_Layer_coatRoughening};
-    oracle_spend(environment, ANSWER_WORK);
+    oracle_spend(environment, MAP_VALUE_WORK);
     if (oracle_spent(environment->oracle))
         return;
-    oracle_answer_as(environment, material, oracle_material_of(material, P_Layer_base), result);
+    oracle_map_value_as(environment, material, oracle_material_of(material, P_Layer_base), result);
     const double root = sqrt(unit(result->component[SLOT_reflectance][0]));
     const OracleCoat coat = coat_of(environment, material, coat_params);
     lay(&coat, (1 + root) / fmax(1 - root, LEAST), 1, result);
@@ -307,14 +307,14 @@ static void mix_slot(const Environment *environment, Slot slot, const SlotValues
 void oracle_MixMaterial(Environment *environment, const Node *material, SlotValues *result)
 {
     SlotValues sides[2];
-    oracle_spend(environment, ANSWER_WORK);
+    oracle_spend(environment, MAP_VALUE_WORK);
     if (oracle_spent(environment->oracle))
         return;
-    const double red = ask_red(environment, material, P_MixMaterial_mask);
-    oracle_answer_as(environment, material, oracle_material_of(material, P_MixMaterial_a),
-                     &sides[0]);
-    oracle_answer_as(environment, material, oracle_material_of(material, P_MixMaterial_b),
-                     &sides[1]);
+    const double red = query_red(environment, material, P_MixMaterial_mask);
+    oracle_map_value_as(environment, material, oracle_material_of(material, P_MixMaterial_a),
+                        &sides[0]);
+    oracle_map_value_as(environment, material, oracle_material_of(material, P_MixMaterial_b),
+                        &sides[1]);
     for (int slot = 0; slot < SLOT_COUNT; slot++)
         mix_slot(environment, (Slot)slot, sides, unit(red), result);
 }

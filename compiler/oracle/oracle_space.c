@@ -40,9 +40,9 @@ static double uv_tangent(Environment *environment, const Node *node, int channel
     double inverse[2][2];
     uv_inverse(node, &map, inverse);
     int column = group_of(channel) == GROUP_DU ? 0 : 1, component = component_of(channel);
-    return oracle_ask_input(environment, node, channel_id(GROUP_DU, component)) *
+    return oracle_query_input(environment, node, channel_id(GROUP_DU, component)) *
                inverse[0][column] +
-           oracle_ask_input(environment, node, channel_id(GROUP_DV, component)) *
+           oracle_query_input(environment, node, channel_id(GROUP_DV, component)) *
                inverse[1][column];
 }
 
@@ -61,7 +61,7 @@ static const Node *input_of(const Node *node)
     return input->kind == VALUE_node ? input->node : NULL;
 }
 
-static SlopeTurn *turn_at(Oracle *oracle, const Node *node)
+static SlopeTurn *uv_transform_at(Oracle *oracle, const Node *node)
 {
     size_t number = node_number(&oracle->arena, &oracle->turned, node);
     oracle->turns = arena_reach(&oracle->arena, oracle->turns, number, &oracle->turn_capacity,
@@ -71,27 +71,27 @@ static SlopeTurn *turn_at(Oracle *oracle, const Node *node)
 
 /* Returns the product of the UVTransforms from a node down its inputs. Every node caches its
  * own, so a chain is walked once. */
-static SlopeTurn turn_of(Oracle *oracle, const Node *node)
+static SlopeTurn uv_transform_chain(Oracle *oracle, const Node *node)
 {
     const Node **chain = NULL;
     size_t count = 0, capacity = 0;
     SlopeTurn turn = {true, {{1, 0}, {0, 1}}};
-    for (; node && !turn_at(oracle, node)->known; node = input_of(node))
+    for (; node && !uv_transform_at(oracle, node)->known; node = input_of(node))
         ARENA_PUSH(&oracle->arena, chain, count, capacity, node);
     if (node)
-        turn = *turn_at(oracle, node);
+        turn = *uv_transform_at(oracle, node);
     while (count--) {
         if (chain[count]->kind == KIND_UVTransform)
             for (int i = 0; i < 2; i++) /* images of (1, 0) and (0, 1) */
                 oracle_uv_slopes(chain[count], turn.m[i]);
-        *turn_at(oracle, chain[count]) = turn;
+        *uv_transform_at(oracle, chain[count]) = turn;
     }
     return turn;
 }
 
 void oracle_turn_slopes(Oracle *oracle, const Node *input, double slope[2])
 {
-    const SlopeTurn turn = turn_of(oracle, input);
+    const SlopeTurn turn = uv_transform_chain(oracle, input);
     const double u = slope[0], v = slope[1];
     slope[0] = u * turn.m[0][0] + v * turn.m[1][0];
     slope[1] = u * turn.m[0][1] + v * turn.m[1][1];
@@ -102,10 +102,10 @@ double oracle_UVTransform(Environment *environment, const Node *node, int channe
     if (in_triple(channel, GROUP_DU) || in_triple(channel, GROUP_DV))
         return uv_tangent(environment, node, channel);
     if (group_of(channel) != GROUP_U || component_of(channel) > 1)
-        return oracle_ask_input(environment, node, channel);
+        return oracle_query_input(environment, node, channel);
     UVMap map = uv_map(node);
-    double u = oracle_ask_input(environment, node, channel_id(GROUP_U, 0)) - map.offset[0];
-    double v = oracle_ask_input(environment, node, channel_id(GROUP_U, 1)) - map.offset[1];
+    double u = oracle_query_input(environment, node, channel_id(GROUP_U, 0)) - map.offset[0];
+    double v = oracle_query_input(environment, node, channel_id(GROUP_U, 1)) - map.offset[1];
     const double *row = map.linear[component_of(channel)];
     return row[0] * u + row[1] * v;
 }
@@ -183,10 +183,10 @@ static void apply(const Transform *transform, double q[3])
 double oracle_XYZTransform(Environment *environment, const Node *node, int channel)
 {
     if (!in_triple(channel, GROUP_X))
-        return oracle_ask_input(environment, node, channel);
+        return oracle_query_input(environment, node, channel);
     double q[3];
     bool global = oracle_number(node, P_XYZTransform_useGlobal) != 0;
-    oracle_ask_input3(environment, node, global ? GROUP_P : GROUP_X, q);
+    oracle_query_input3(environment, node, global ? GROUP_P : GROUP_X, q);
     const Value *transform = node_param(node, P_XYZTransform_transform);
     if (transform->kind == VALUE_transform)
         apply(transform->transform, q);
@@ -198,9 +198,9 @@ double oracle_XYZTransform(Environment *environment, const Node *node, int chann
 double oracle_Turbulence(Environment *environment, const Node *node, int channel)
 {
     if (!in_triple(channel, GROUP_X) && !in_triple(channel, GROUP_U))
-        return oracle_ask_input(environment, node, channel);
+        return oracle_query_input(environment, node, channel);
     double q[3], amount[3], offset[3];
-    oracle_ask_input3(environment, node, group_of(channel), q);
+    oracle_query_input3(environment, node, group_of(channel), q);
     oracle_number3(node, P_Turbulence_amount, amount);
     double octaves = clamp(trunc(oracle_number(node, P_Turbulence_octaves)), 1, 10);
     oracle_call(environment, FN_vectorTurbulence,

@@ -37,17 +37,17 @@ static double checker_slope(Environment *environment, const Node *node, int chan
         odd_square(uv[0] + (along_u ? CHECKER_STEP : 0), uv[1] + (along_u ? 0 : CHECKER_STEP));
     int this_colour = here ? P_Checker_color1 : P_Checker_color2;
     if (here == there)
-        return oracle_ask_param(environment, node, this_colour, channel);
+        return oracle_query_param(environment, node, this_colour, channel);
     int other_colour = here ? P_Checker_color2 : P_Checker_color1;
     int component = channel_id(GROUP_R, component_of(channel));
-    double other = oracle_ask_param(environment, node, other_colour, component);
-    return (other - oracle_ask_param(environment, node, this_colour, component)) / CHECKER_STEP;
+    double other = oracle_query_param(environment, node, other_colour, component);
+    return (other - oracle_query_param(environment, node, this_colour, component)) / CHECKER_STEP;
 }
 
-static void ask_uv(Environment *environment, const Node *node, double uv[2])
+static void query_uv(Environment *environment, const Node *node, double uv[2])
 {
-    uv[0] = oracle_ask_input(environment, node, channel_id(GROUP_U, 0));
-    uv[1] = oracle_ask_input(environment, node, channel_id(GROUP_U, 1));
+    uv[0] = oracle_query_input(environment, node, channel_id(GROUP_U, 0));
+    uv[1] = oracle_query_input(environment, node, channel_id(GROUP_U, 1));
 }
 
 /* Interpolates linearly from a to b as x goes from 0 to 1; constant outside. */
@@ -56,18 +56,18 @@ static double between(double a, double b, double x) { return a + fmin(fmax(x, 0)
 double oracle_Ramp(Environment *environment, const Node *node, int channel)
 {
     double uv[2];
-    ask_uv(environment, node, uv);
-    const double a = oracle_ask_param(environment, node, P_Ramp_a, channel),
-                 b = oracle_ask_param(environment, node, P_Ramp_b, channel);
+    query_uv(environment, node, uv);
+    const double a = oracle_query_param(environment, node, P_Ramp_a, channel),
+                 b = oracle_query_param(environment, node, P_Ramp_b, channel);
     return between(a, b, uv[node_param(node, P_Ramp_along)->number[0] == KEYWORD_Axis_v]);
 }
 
 double oracle_CornerRamp(Environment *environment, const Node *node, int channel)
 {
     double uv[2], corner[4];
-    ask_uv(environment, node, uv);
+    query_uv(environment, node, uv);
     for (int i = 0; i < 4; i++)
-        corner[i] = oracle_ask_param(environment, node, P_CornerRamp_bottomLeft + i, channel);
+        corner[i] = oracle_query_param(environment, node, P_CornerRamp_bottomLeft + i, channel);
     return between(between(corner[0], corner[1], uv[0]), between(corner[2], corner[3], uv[0]),
                    uv[1]);
 }
@@ -92,10 +92,10 @@ double oracle_odd_share(Environment *environment, const Node *checker)
     const bool volume = checker->kind == KIND_VolumeChecker;
     const Stepped *map = volume ? &cubes : &squares;
     double q[3], q0[3];
-    oracle_ask_input3(environment, checker, volume ? GROUP_X : GROUP_U, q);
+    oracle_query_input3(environment, checker, volume ? GROUP_X : GROUP_U, q);
     if (!environment->centre)
         return map->at(NULL, q);
-    oracle_ask_input3(environment->centre, checker, volume ? GROUP_X : GROUP_U, q0);
+    oracle_query_input3(environment->centre, checker, volume ? GROUP_X : GROUP_U, q0);
     return oracle_along_steps(map, q0, q);
 }
 
@@ -106,16 +106,16 @@ static double one_of(Environment *environment, const Node *checker, int channel,
     const double share = oracle_odd_share(environment, checker);
     double mean = 0;
     if (share != 0)
-        mean += share * oracle_ask_param(environment, checker, color1, channel);
+        mean += share * oracle_query_param(environment, checker, color1, channel);
     if (share != 1)
-        mean += (1 - share) * oracle_ask_param(environment, checker, color1 + 1, channel);
+        mean += (1 - share) * oracle_query_param(environment, checker, color1 + 1, channel);
     return mean;
 }
 
 double oracle_Checker(Environment *environment, const Node *node, int channel)
 {
     double uv[2];
-    ask_uv(environment, node, uv);
+    query_uv(environment, node, uv);
     if (is_derivative(channel))
         return checker_slope(environment, node, channel, uv);
     return one_of(environment, node, channel, P_Checker_color1);
@@ -174,7 +174,7 @@ static double picture_beside(const Picture *picture, const Node *node, const dou
     const Component c = {picture, component};
     const Stepped map = {component_at, &c, {picture->step_u, picture->step_v, 0}};
     double centre[2];
-    ask_uv(picture->environment->centre, node, centre);
+    query_uv(picture->environment->centre, node, centre);
     return oracle_along_steps(&map, (double[3]){centre[0], centre[1]}, (double[3]){uv[0], uv[1]});
 }
 
@@ -184,7 +184,7 @@ static double picture_channel(const Picture *picture, const Node *node, int chan
 {
     int component = component_of(channel);
     double uv[2];
-    ask_uv(picture->environment, node, uv);
+    query_uv(picture->environment, node, uv);
     if (picture->environment->centre && !is_derivative(channel))
         return picture_beside(picture, node, uv, component);
     double here = picture_at(picture, uv[0], uv[1], component);

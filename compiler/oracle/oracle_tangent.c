@@ -16,7 +16,8 @@ static void tangent_normal(Environment *environment, const Node *node, double t[
     const double scale = oracle_number(node, P_NormalMap_scale);
     for (int i = 0; i < 3; i++)
         t[i] =
-            2 * oracle_ask_param(environment, node, P_NormalMap_normal, channel_id(GROUP_R, i)) - 1;
+            2 * oracle_query_param(environment, node, P_NormalMap_normal, channel_id(GROUP_R, i)) -
+            1;
     if (oracle_number(node, P_NormalMap_twoChannel) != 0)
         t[2] = sqrt(fmax(1 - t[0] * t[0] - t[1] * t[1], 0));
     t[0] *= scale;
@@ -44,11 +45,11 @@ double oracle_NormalMap(Environment *environment, const Node *node, int channel)
     const bool of_frame =
         in_triple(channel, GROUP_N) || in_triple(channel, GROUP_DU) || in_triple(channel, GROUP_DV);
     if (!of_frame || node_param(node, P_NormalMap_normal)->kind == VALUE_none)
-        return oracle_ask_input(environment, node, channel);
+        return oracle_query_input(environment, node, channel);
     double n[3], frame[2][3], t[3], normal[3];
-    oracle_ask_input3(environment, node, GROUP_N, n);
-    oracle_ask_input3(environment, node, GROUP_DU, frame[0]);
-    oracle_ask_input3(environment, node, GROUP_DV, frame[1]);
+    oracle_query_input3(environment, node, GROUP_N, n);
+    oracle_query_input3(environment, node, GROUP_DU, frame[0]);
+    oracle_query_input3(environment, node, GROUP_DV, frame[1]);
     make_unit(n);
     tangent_normal(environment, node, t);
     turned_normal(t, n, frame, normal);

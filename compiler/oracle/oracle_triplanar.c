@@ -25,7 +25,7 @@ void oracle_project(Environment *outer, const Node *triplanar, int axis, Project
 {
     static const int u_of[AXES] = {1, 0, 0}, v_of[AXES] = {2, 2, 1};
     double p[3];
-    oracle_ask_input3(outer, triplanar, GROUP_X, p);
+    oracle_query_input3(outer, triplanar, GROUP_X, p);
     made->surface = *outer->surface;
     made->surface.root[channel_id(GROUP_U, 0)] = p[u_of[axis]];
     made->surface.root[channel_id(GROUP_U, 1)] = p[v_of[axis]];
@@ -39,7 +39,7 @@ void oracle_project(Environment *outer, const Node *triplanar, int axis, Project
 
 static double position(Environment *environment, const Node *node, int component)
 {
-    return oracle_ask_input(environment, node, channel_id(GROUP_X, component));
+    return oracle_query_input(environment, node, channel_id(GROUP_X, component));
 }
 
 /* Sets the weights by axis, at the center of the difference quotient: adjacent points use the
@@ -69,7 +69,8 @@ static void weights_at(Environment *environment, const Node *node, double weight
 }
 
 /* Evaluates all components of the color projected along an axis. */
-static void ask_side(Environment *environment, const Node *node, int axis, double color[COMPONENTS])
+static void query_side(Environment *environment, const Node *node, int axis,
+                       double color[COMPONENTS])
 {
     Projection here, origin;
     oracle_project(environment, node, axis, &here);
@@ -79,7 +80,7 @@ static void ask_side(Environment *environment, const Node *node, int axis, doubl
         here.environment.centre = environment->centre ? &origin.environment : NULL;
     }
     for (int i = 0; i < COMPONENTS; i++)
-        color[i] = oracle_ask(&here.environment, map_of(node, axis), channel_id(GROUP_R, i));
+        color[i] = oracle_query(&here.environment, map_of(node, axis), channel_id(GROUP_R, i));
 }
 
 double oracle_Triplanar(Environment *environment, const Node *node, int channel)
@@ -89,7 +90,7 @@ double oracle_Triplanar(Environment *environment, const Node *node, int channel)
         return component_of(channel) == 3;
     weights_at(environment, node, weight);
     for (int axis = 0; axis < AXES; axis++) {
-        ask_side(environment, node, axis, color);
+        query_side(environment, node, axis, color);
         for (int i = 0; i < COMPONENTS; i++)
             sum[i] += weight[axis] * color[i];
     }

@@ -18,7 +18,7 @@ float model_area(const float a[2], const float b[2], const float c[2])
 }
 
 /* Returns the orientation of a triangle's texture coordinates; 0: degenerate. */
-static int turn_of(const Shape *shape, const uint32_t index[3])
+static int uv_transform_chain(const Shape *shape, const uint32_t index[3])
 {
     const ShapeVertex *vertices = shape->vertices;
     const float area =
@@ -32,7 +32,8 @@ static int find_turns(const Shape *shape, unsigned char *turns)
 {
     int both = 0;
     for (int i = 0; i < shape->index_count; i++)
-        turns[shape->indices[i]] |= (unsigned char)turn_of(shape, &shape->indices[i - i % 3]);
+        turns[shape->indices[i]] |=
+            (unsigned char)uv_transform_chain(shape, &shape->indices[i - i % 3]);
     for (int i = 0; i < shape->vertex_count; i++)
         both += turns[i] == (TO_RIGHT | TO_LEFT);
     return both;
@@ -70,7 +71,7 @@ static bool part(Shape *shape, unsigned char *turns, uint32_t *left, float (*kep
         return false;
     append_doubles(shape, turns, left, kept);
     for (int i = 0; i < shape->index_count; i += 3)
-        if (turn_of(shape, &shape->indices[i]) == TO_LEFT)
+        if (uv_transform_chain(shape, &shape->indices[i]) == TO_LEFT)
             for (int k = 0; k < 3; k++)
                 shape->indices[i + k] = left[shape->indices[i + k]];
     return true;

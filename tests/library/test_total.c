@@ -8,7 +8,7 @@ static const int indexes[] = {-1, 1, 7, INT_MAX, INT_MIN};
 enum { INDEXES = sizeof indexes / sizeof *indexes };
 
 /* Calls every function of a document with a material that it lacks. */
-static void ask_document(MatcDocument *d, int material, const MatcOptions *options)
+static void query_document(MatcDocument *d, int material, const MatcOptions *options)
 {
     const char *fault = NULL;
     MatcPoint point = {.normal = {0, 0, 1}};
@@ -37,7 +37,7 @@ static void ask_document(MatcDocument *d, int material, const MatcOptions *optio
 }
 
 /* Calls every function of a program with an index that it lacks. */
-static void ask_beyond(MatcProgram *p, int index)
+static void query_beyond(MatcProgram *p, int index)
 {
     assert_null(matc_texture(p, index));
     assert_null(matc_uniform(p, index));
@@ -50,7 +50,7 @@ static void ask_beyond(MatcProgram *p, int index)
     assert_null(matc_spirv(p, (MatcOutput)0, NULL));
 }
 
-static void ask_failed(MatcProgram *p)
+static void query_failed(MatcProgram *p)
 {
     size_t size = 7;
     char block[1] = {7};
@@ -75,8 +75,8 @@ static void ask_failed(MatcProgram *p)
     matc_constant_block(p, block);
     assert_int_equal(block[0], 7);
     for (int i = 0; i < INDEXES; i++)
-        ask_beyond(p, indexes[i]);
-    ask_beyond(p, 0);
+        query_beyond(p, indexes[i]);
+    query_beyond(p, 0);
 }
 
 static const char *const faulty[] = {
@@ -107,7 +107,7 @@ static void unset_options(void **state)
         matc_document_free(d);
         d = matc_read("a.yaml", text, strlen(text), NULL);
         MatcProgram *p = matc_compile(d, 0, MATC_FRAGMENT, &zeros);
-        ask_failed(p);
+        query_failed(p);
         assert_reports(matc_program_diagnostics(p, MATC_TEXT), "matc_options_init");
         matc_program_free(p);
         const char *why = NULL;
@@ -210,10 +210,10 @@ static void faulty_documents(void **state)
         assert_non_null(matc_diagnostics(d, MATC_JSON));
         free(matc_definitions(d));
         free(matc_document_schema(d));
-        ask_document(d, 1, NULL);
+        query_document(d, 1, NULL);
         assert_null(matc_material_name(d, 0));
         MatcProgram *p = matc_compile(d, 0, MATC_FRAGMENT, NULL);
-        ask_failed(p);
+        query_failed(p);
         assert_reports(matc_program_diagnostics(p, MATC_TEXT),
                        "there is no material 0: the document has 0");
         matc_program_free(p);
@@ -229,9 +229,9 @@ static void materials_beyond(void **state)
         MatcDocument *d = read_text("material: Phong\ndiffuse: { param: a, default: 1 }\n",
                                     none ? NULL : &options);
         for (int i = 0; i < INDEXES; i++) {
-            ask_document(d, indexes[i], none ? NULL : &options);
+            query_document(d, indexes[i], none ? NULL : &options);
             MatcProgram *p = matc_compile(d, indexes[i], MATC_FRAGMENT, &options);
-            ask_failed(p);
+            query_failed(p);
             assert_reports(matc_program_diagnostics(p, MATC_TEXT), ": the document has 1");
             matc_program_free(p);
         }
@@ -249,7 +249,7 @@ static void options_that_mean_nothing(void **state)
     options.target = "nonsense";
     MatcDocument *d = read_text("material: Phong\n", &options);
     MatcProgram *p = matc_compile(d, 0, MATC_FRAGMENT, &options);
-    ask_failed(p);
+    query_failed(p);
     assert_null(matc_eval(d, 0, "", &options, &fault));
     assert_non_null(fault);
     matc_program_free(p);
@@ -271,8 +271,8 @@ static void parts_beyond(void **state)
     assert_null(matc_target_format(p, matc_target_count(p)));
     assert_null(matc_output(p, MATC_DOT, NULL));
     for (int i = 2; i < INDEXES; i++)
-        ask_beyond(p, indexes[i]);
-    ask_beyond(p, -1);
+        query_beyond(p, indexes[i]);
+    query_beyond(p, -1);
     matc_program_free(p);
     matc_document_free(d);
 }

@@ -271,7 +271,7 @@ static bool try_slot(Trial *t, Program *p, Slot slot)
             return false;
         if (beyond)
             continue;
-        trial_ask_oracle(t, point, front, slot, &wanted);
+        trial_query_oracle(t, point, front, slot, &wanted);
         for (int component = 0; component < type_table[slot_table[slot].type].components;
              component++) {
             double written = s.exact[0].value[0][component],

@@ -87,7 +87,7 @@ typedef struct {
     SlotValues value, capacity;
     bool known;
 } TrialWanted;
-void trial_ask_oracle(Trial *t, const Point *point, bool front, Slot slot, TrialWanted *w);
+void trial_query_oracle(Trial *t, const Point *point, bool front, Slot slot, TrialWanted *w);
 /* trial_draw.c */
 bool trial_draw(Trial *t, const char *text, size_t size);
 bool trial_validate(Trial *t, const char *text, size_t size);

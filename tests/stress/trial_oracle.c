@@ -26,7 +26,7 @@ static void judge_slope(TrialWanted *w, const SlotValues *sides, Slot slot, int 
     w->capacity.component[slot][component] = apart == 0 ? 0 : slope_capacity * size + 4 * apart;
 }
 
-void trial_ask_oracle(Trial *t, const Point *point, bool front, Slot slot, TrialWanted *w)
+void trial_query_oracle(Trial *t, const Point *point, bool front, Slot slot, TrialWanted *w)
 {
     Surface surface;
     SlotValues sides[SPAN_COUNT];

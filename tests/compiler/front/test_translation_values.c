@@ -65,7 +65,7 @@ static void read_param(MatcDocument *document, int param, double value[3])
     for (int component = 0; component < 3; component++) {
         const int channel = channel_id(is_direction(param) ? GROUP_N : GROUP_R, component);
         value[component] = param_table[param].type == PARAM_Map
-                               ? oracle_ask_param(&environment, material, param, channel)
+                               ? oracle_query_param(&environment, material, param, channel)
                                : oracle_number(material, param);
     }
     oracle_close(oracle);

@@ -124,7 +124,7 @@ static void check_axis(Test *t, const Node *map, int axis)
                .cheap = true};
     l.uniform_use = ARENA_ARRAY(&arena, uint8_t, l.graph->uniform_count);
     Env env = lower_surface_env(&l);
-    Ref height = build_swizzle(l.ir, lower_ask(&l, map, GROUP_R, &env), "x");
+    Ref height = build_swizzle(l.ir, lower_query(&l, map, GROUP_R, &env), "x");
     Ref slope = slope_of(&l, height, axis ? DIRECTION_v : DIRECTION_u);
     ir_output(l.ir, OUT_color, 0,
               build_convert(l.ir, slope ? slope : build_float(l.ir, 0), TYPE_vec4));

@@ -5,7 +5,7 @@
 #include "tests/test.h"
 #include "compiler/ir/build.h"
 #include "compiler/ir/fold.h"
-#include "compiler/lower/answer.h"
+#include "compiler/lower/map_value.h"
 #include "compiler/lower/slope.h"
 #include "compiler/opt/opt.h"
 #include "tests/value/documents.h"
@@ -232,7 +232,7 @@ static int known_variance(Question *q, int level, double variance[4])
     Attempt w;
     attempt_open(&w, &q->document, level);
     Env env = lower_surface_env(&w.l);
-    Answer answer = lower_answer(&w.l, q->map, q->group, &env);
+    MapValue answer = lower_map_value(&w.l, q->map, q->group, &env);
     Type type = ir_type(w.l.ir, answer.value);
     assert_true(!answer.variance || ir_type(w.l.ir, answer.variance) == type);
     Ref zero = ir_const(w.l.ir, type, (double[4]){0});
@@ -334,7 +334,7 @@ static void a_footprint_is_constant_whatever_is_rewritten(void **state)
         w.l.ir->simplify = rules[i];
         Env env = lower_surface_env(&w.l);
         const Node *map = node_param(d.graph->materials[0].node, P_Phong_diffuse)->node;
-        Ref value = lower_ask(&w.l, map, GROUP_IOR, &env);
+        Ref value = lower_query(&w.l, map, GROUP_IOR, &env);
         slope_set(&w.l, env.root[GROUP_X], DIRECTION_u, build_vec3(w.l.ir, 0, 1, 0));
         attempt_close(&w, slope_of(&w.l, value, DIRECTION_u), known);
         assert_true(fabs(known[0] - want) < 1e-12);

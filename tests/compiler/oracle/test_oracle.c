@@ -22,7 +22,7 @@ static void test_surface(void **state)
     assert_true(s.root[U] == 2 && s.root[DPZDV] == 2 && s.root[W] == 0 && s.root[A] == 0);
 }
 
-/* Precondition of oracle_ask_input. */
+/* Precondition of oracle_query_input. */
 static void test_input_is_first(void **state)
 {
     (void)state;

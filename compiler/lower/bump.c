@@ -16,7 +16,7 @@
  * A displacement above such a map is lowered separately and without the local rules: its nodes
  * are not merged with others, whatever the optimizer joins later, and the plain forms have a
  * unique slope where two pieces meet. So all levels of -O have the same slopes. */
-#include "compiler/lower/relief.h"
+#include "compiler/lower/bump.h"
 #include "compiler/lower/slope.h"
 
 /* Converts a bool to 0 or 1. */
@@ -36,13 +36,13 @@ static Ref difference(Lower *l, Ref value, const Stepped *map, int component)
     const Type type = ir_type(ir, map->q.value);
     double step[4] = {0};
     step[component] = map->step[component];
-    Answer beyond = map->q;
+    MapValue beyond = map->q;
     beyond.value = build_add(ir, build_fract(ir, map->q.value), ir_const(ir, type, step));
     Ref there = number(l, map->at(l, map->map, beyond));
     return build_scale(ir, build_sub(ir, there, number(l, value)), 1 / map->step[component]);
 }
 
-void relief_rise(Lower *l, Ref value, Ref q, const Ref rate[3])
+void bump_rise(Lower *l, Ref value, Ref q, const Ref rate[3])
 {
     Ir *ir = l->ir;
     static const char *const component_name[] = {"x", "y", "z"};
@@ -58,7 +58,7 @@ void relief_rise(Lower *l, Ref value, Ref q, const Ref rate[3])
     }
 }
 
-void relief_step(Lower *l, Ref value, const Stepped *map)
+void bump_step(Lower *l, Ref value, const Stepped *map)
 {
     Ref rate[3] = {0};
     if (!l->relief || ir_is(l->ir, value, OP_const))
@@ -66,16 +66,16 @@ void relief_step(Lower *l, Ref value, const Stepped *map)
     for (int i = 0; i < 3; i++)
         if (map->step[i] != 0)
             rate[i] = difference(l, value, map, i);
-    relief_rise(l, value, map->q.value, rate);
+    bump_rise(l, value, map->q.value, rate);
 }
 
 /* Returns a map's red component. */
 static Ref red(Lower *l, const Node *map, const Env *env)
 {
-    return build_swizzle(l->ir, lower_ask(l, map, GROUP_R, env), "x");
+    return build_swizzle(l->ir, lower_query(l, map, GROUP_R, env), "x");
 }
 
-static Risen computed(Lower *l, ReliefValue *make, const Node *what, const Env *env)
+static Risen computed(Lower *l, BumpValue *make, const Node *what, const Env *env)
 {
     Ref value = make(l, what, env);
     Ref by_u = slope_of(l, value, DIRECTION_u), by_v = slope_of(l, value, DIRECTION_v);
@@ -91,17 +91,17 @@ static Manner manner(Lower *l, bool relief, Manner now)
     return before;
 }
 
-Answer relief_smooth(Lower *l, const Node *map, Group group, const Env *env)
+MapValue bump_smooth(Lower *l, const Node *map, Group group, const Env *env)
 {
     Env outside = *env;
     outside.relief = false;
     const Manner inside = manner(l, false, l->outside);
-    Answer answer = lower_answer(l, map, group, &outside);
+    MapValue answer = lower_map_value(l, map, group, &outside);
     manner(l, true, inside);
     return answer;
 }
 
-static Risen stepped(Lower *l, ReliefValue *make, const Node *what, const Env *env)
+static Risen stepped(Lower *l, BumpValue *make, const Node *what, const Env *env)
 {
     Env inside = *env;
     inside.relief = true;
@@ -114,7 +114,7 @@ static Risen stepped(Lower *l, ReliefValue *make, const Node *what, const Env *e
 /* Returns the map's value for a derivative channel; 0: the constant 0. */
 static Ref channel(Lower *l, const Node *displacement, Group group, const Env *env)
 {
-    Ref answer = lower_ask(l, displacement, group, env);
+    Ref answer = lower_query(l, displacement, group, env);
     const double *known = ir_is(l->ir, answer, OP_const) ? ir_numbers(l->ir, answer) : NULL;
     return known && known[0] == 0 ? 0 : build_swizzle(l->ir, answer, "x");
 }
@@ -126,14 +126,14 @@ static Slopes channels(Lower *l, const Node *displacement, const Env *env)
     return (Slopes){by_u, by_v};
 }
 
-Risen relief_of(Lower *l, ReliefValue *make, const Node *what, const Env *env)
+Risen bump_of(Lower *l, BumpValue *make, const Node *what, const Env *env)
 {
     return l->job->choice[AXIS_derivatives] == CHOICE_derivatives_analytic
                ? computed(l, make, what, env)
                : stepped(l, make, what, env);
 }
 
-Slopes relief_slopes(Lower *l, const Node *bump, const Env *env)
+Slopes bump_slopes(Lower *l, const Node *bump, const Env *env)
 {
     Ir *ir = l->ir;
     const Node *displacement = lower_param_node(bump, P_BumpMap_displacement);
@@ -142,7 +142,7 @@ Slopes relief_slopes(Lower *l, const Node *bump, const Env *env)
                     : how == CHOICE_derivatives_analytic
                         ? computed(l, red, displacement, env).slopes
                         : stepped(l, red, displacement, env).slopes;
-    lower_note_relief(l, displacement, slopes.u, slopes.v);
+    lower_note_bump(l, displacement, slopes.u, slopes.v);
     slopes.u = build_or_zero(ir, slopes.u, TYPE_float);
     slopes.v = build_or_zero(ir, slopes.v, TYPE_float);
     return slopes;
