@@ -93,7 +93,7 @@ static void put_time(Text *out, Renderer *renderer)
     text_put(out, " milliseconds\n");
 }
 
-static const SeenText seen = {.fragment = render_text_exact_triangle_id, .places = true};
+static const TriangleIdText seen = {.fragment = render_text_exact_triangle_id, .places = true};
 
 extern const ShadowMethod shadow_exact;
 const ShadowMethod shadow_exact = {

@@ -63,7 +63,8 @@ struct Renderer {
     int at[2];    /* lower left corner of the targets in the picture */
     int margin;   /* guard band around a tile */
     bool compute, zero_to_one;
-    const SeenText *seen_text; /* outputs of surface programs that identify triangles; or NULL */
+    const TriangleIdText
+        *triangle_id_text; /* outputs of surface programs that identify triangles; or NULL */
     /* a pass needs the triangles that are drawn, even tessellated ones */
     bool triangles;
     bool beside; /* shadows need objects outside the view, too */

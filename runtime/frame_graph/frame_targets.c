@@ -3,9 +3,9 @@
 #include <string.h>
 
 static const char *const names[FRAME_TARGET_COUNT] = {
-    "depth", "gbuffer", "traced", "shadow",  "voxels",   "cubes",   "mesh",   "radiance",
-    "seen",  "lists",   "far",    "light",   "rays",     "history", "smooth", "open",
-    "edge",  "mask",    "layer",  "layer.z", "layer.id", "tools",   "shown"};
+    "depth",       "gbuffer", "traced", "shadow",  "voxels",   "cubes",    "mesh",    "radiance",
+    "triangle_id", "lists",   "far",    "light",   "rays",     "temporal", "denoise", "ao",
+    "edge",        "mask",    "layer",  "layer.z", "layer.id", "tools",    "shown"};
 
 const char *frame_target_name(FrameTarget target) { return names[target]; }
 
@@ -118,14 +118,14 @@ static const struct {
     int depth;
 } draws[FRAME_DRAW_COUNT] = {
     [FRAME_DRAW_surface] = {FRAME_TARGET_gbuffer, FRAME_TARGET_depth},
-    [FRAME_DRAW_seen] = {FRAME_TARGET_gbuffer, FRAME_TARGET_depth},
+    [FRAME_DRAW_triangle_id] = {FRAME_TARGET_gbuffer, FRAME_TARGET_depth},
     [FRAME_DRAW_traced] = {FRAME_TARGET_traced, FRAME_TARGET_depth},
     [FRAME_DRAW_sky] = {FRAME_TARGET_light, FRAME_TARGET_depth},
     [FRAME_DRAW_cubes] = {FRAME_TARGET_cubes, -1},
     [FRAME_DRAW_positions] = {FRAME_TARGET_positions, FRAME_TARGET_layer_depth},
     [FRAME_DRAW_light] = {FRAME_TARGET_light, -1},
     [FRAME_DRAW_rays] = {FRAME_TARGET_rays, -1},
-    [FRAME_DRAW_smooth] = {FRAME_TARGET_smooth, -1},
+    [FRAME_DRAW_denoise] = {FRAME_TARGET_denoise, -1},
     [FRAME_DRAW_ao] = {FRAME_TARGET_ao, -1},
     [FRAME_DRAW_edge] = {FRAME_TARGET_edge, -1},
     [FRAME_DRAW_mask] = {FRAME_TARGET_mask, FRAME_TARGET_depth},
@@ -156,11 +156,11 @@ bool frame_make_draw(Renderer *renderer, FrameDraw draw)
     FramebufferSpec spec = {frame_edge(renderer, color, 0), frame_edge(renderer, color, 1), 0, 0,
                             deep};
     if (!(there >> color & 1) || (deep && !(there >> depth & 1)) ||
-        (draw == FRAME_DRAW_seen && !(there >> FRAME_TARGET_seen & 1)))
+        (draw == FRAME_DRAW_triangle_id && !(there >> FRAME_TARGET_triangle_id & 1)))
         return true; /* no pass draws there */
     add_colors(renderer, color, &spec, &textures);
-    if (draw == FRAME_DRAW_seen)
-        add_colors(renderer, FRAME_TARGET_seen, &spec, &textures);
+    if (draw == FRAME_DRAW_triangle_id)
+        add_colors(renderer, FRAME_TARGET_triangle_id, &spec, &textures);
     return framebuffer_make_around(renderer->gl, &spec, &textures, &renderer->targets.draws[draw]);
 }
 
@@ -186,12 +186,18 @@ static bool is_alone(const Renderer *renderer)
 
 GpuSceneSource frame_source(const Renderer *renderer)
 {
-    return (GpuSceneSource){
-        renderer->scene,     &renderer->set,
-        &renderer->space,    renderer->options.unculled ? NULL : &renderer->volume,
-        &renderer->volume,   renderer->whole,
-        renderer->at,        &renderer->compile,
-        renderer->triangles, is_alone(renderer),
-        casts(renderer),     renderer->transparency,
-        renderer->seen_text, renderer->look && renderer->look->scene == FRAME_LOOK_lines};
+    return (GpuSceneSource){renderer->scene,
+                            &renderer->set,
+                            &renderer->space,
+                            renderer->options.unculled ? NULL : &renderer->volume,
+                            &renderer->volume,
+                            renderer->whole,
+                            renderer->at,
+                            &renderer->compile,
+                            renderer->triangles,
+                            is_alone(renderer),
+                            casts(renderer),
+                            renderer->transparency,
+                            renderer->triangle_id_text,
+                            renderer->look && renderer->look->scene == FRAME_LOOK_lines};
 }

@@ -10,19 +10,19 @@ typedef enum {
     FRAME_TARGET_gbuffer,
     /* ray-marched displacement: patch and position of a hit, a pixel of gpu_scene_trace.h */
     FRAME_TARGET_traced,
-    FRAME_TARGET_shadow,    /* shadow maps, of their own sizes: pass_shadow.c owns them */
-    FRAME_TARGET_voxels,    /* voxel grid, of its own size: pass_voxels.c owns it */
-    FRAME_TARGET_cubes,     /* view of the voxels */
-    FRAME_TARGET_positions, /* view of the depth buffer as a mesh */
-    FRAME_TARGET_radiance,  /* radiance cache, in buffers: pass_radiance.c owns them */
-    FRAME_TARGET_seen,      /* triangle ids, or slopes of triangles */
-    FRAME_TARGET_lists,     /* per-pixel linked lists, in a buffer */
-    FRAME_TARGET_far,       /* far-field light in a buffer: sums of the pass gather */
+    FRAME_TARGET_shadow,      /* shadow maps, of their own sizes: pass_shadow.c owns them */
+    FRAME_TARGET_voxels,      /* voxel grid, of its own size: pass_voxels.c owns it */
+    FRAME_TARGET_cubes,       /* view of the voxels */
+    FRAME_TARGET_positions,   /* view of the depth buffer as a mesh */
+    FRAME_TARGET_radiance,    /* radiance cache, in buffers: pass_radiance.c owns them */
+    FRAME_TARGET_triangle_id, /* triangle ids, or slopes of triangles */
+    FRAME_TARGET_lists,       /* per-pixel linked lists, in a buffer */
+    FRAME_TARGET_far,         /* far-field light in a buffer: sums of the pass gather */
     FRAME_TARGET_light,
-    FRAME_TARGET_rays,    /* as `open`, at the resolution of the rays */
-    FRAME_TARGET_history, /* temporal accumulation: pass_temporal.c owns its textures */
-    FRAME_TARGET_smooth,  /* denoised along rows */
-    FRAME_TARGET_ao,      /* ambient occlusion and indirect light */
+    FRAME_TARGET_rays,     /* as `open`, at the resolution of the rays */
+    FRAME_TARGET_temporal, /* temporal accumulation: pass_temporal.c owns its textures */
+    FRAME_TARGET_denoise,  /* denoised along rows */
+    FRAME_TARGET_ao,       /* ambient occlusion and indirect light */
     FRAME_TARGET_edge,
     FRAME_TARGET_mask,  /* a bit per light with shadow volumes: set where it is occluded */
     FRAME_TARGET_layer, /* G-buffer of one layer of transparent fragments */
@@ -35,15 +35,15 @@ typedef enum {
 
 /* Framebuffers: sets of targets that are drawn to together. */
 typedef enum {
-    FRAME_DRAW_surface, /* G-buffer and depth */
-    FRAME_DRAW_seen,    /* G-buffer, depth and triangle ids */
-    FRAME_DRAW_traced,  /* ray-marched hits and depth */
-    FRAME_DRAW_sky,     /* light and depth */
+    FRAME_DRAW_surface,     /* G-buffer and depth */
+    FRAME_DRAW_triangle_id, /* G-buffer, depth and triangle ids */
+    FRAME_DRAW_traced,      /* ray-marched hits and depth */
+    FRAME_DRAW_sky,         /* light and depth */
     FRAME_DRAW_cubes,
     FRAME_DRAW_positions,
     FRAME_DRAW_light,
     FRAME_DRAW_rays,
-    FRAME_DRAW_smooth,
+    FRAME_DRAW_denoise,
     FRAME_DRAW_ao,
     FRAME_DRAW_edge,
     FRAME_DRAW_mask, /* with depth and stencil */

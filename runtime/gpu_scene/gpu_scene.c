@@ -2,7 +2,7 @@
  * differ only in constants one kind. */
 #include "runtime/gpu_scene/gpu_scene_trace.h"
 #include "compiler/base/hash_index.h"
-#include "runtime/gpu_scene/seen_text.h"
+#include "runtime/gpu_scene/triangle_id_text.h"
 #include "runtime/scene/scene_matrix.h"
 #include <stdlib.h>
 #include <string.h>
@@ -32,7 +32,7 @@ typedef struct {
     Known meshes, kinds, casters;
     Key *file_keys; /* hashes of the scene's meshes */
     TransparencyText transparency;
-    SeenTextAround seen;
+    TriangleIdTextParts seen;
     int *kind_of, *row_of;        /* by material; kind_of -1: not yet used */
     int *used_as[GPU_SCENE_USES]; /* by material, index in Cache.casters; -1: no such program */
 } Maker;
@@ -104,7 +104,7 @@ static bool make_material(Maker *m, const PassProgram *program, GpuSceneUse use,
     if (use == GPU_SCENE_USE_cast && set->uses.casts == SET_CASTS_colored)
         transparency_wrap_caster(m->gl, &text);
     if (m->source->written && !program->transparent && !strcmp(program->pass, "gbuffer"))
-        seen_text_wrap(&m->seen, &text);
+        triangle_id_text_wrap(&m->seen, &text);
     return material_make(m->store, program->program, &text, made) ||
            material_set_fail(m->gl, m->source->scene, program->material);
 }
@@ -380,7 +380,7 @@ bool gpu_scene_make(Store *store, const GpuSceneSource *source, GpuScene *before
                    .gpu_scene = made};
     *made = (GpuScene){.instances = source->set->instances};
     transparency_text(maker.gl, source->set, source->transparency, &maker.transparency);
-    seen_text_make(maker.gl, source->set, source->written, &maker.seen);
+    triangle_id_text_make(maker.gl, source->set, source->written, &maker.seen);
     const bool done = make_capacity(&maker) && add_objects(&maker) && make_sky(&maker) &&
                       make_buffers(&maker) && gpu_scene_arrange(maker.gl, source, made);
     made->displaced_anew = false; /* all passes are built after this */

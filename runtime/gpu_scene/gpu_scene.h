@@ -4,7 +4,7 @@
 #ifndef MATC_GPU_SCENE_GPU_SCENE_H
 #define MATC_GPU_SCENE_GPU_SCENE_H
 #include "runtime/gpu_scene/cull.h"
-#include "runtime/gpu_scene/seen_text.h"
+#include "runtime/gpu_scene/triangle_id_text.h"
 #include "runtime/gpu_scene/transparency.h"
 #include "runtime/gpu_scene/view_space.h"
 #include "runtime/displace/displaced.h"
@@ -126,8 +126,8 @@ typedef struct {
     bool alone;
     bool casts; /* shadow maps exist */
     Transparency transparency;
-    const SeenText *written; /* outputs of opaque surfaces in addition to the G-buffer */
-    bool lines;              /* surfaces are drawn as lines */
+    const TriangleIdText *written; /* outputs of opaque surfaces in addition to the G-buffer */
+    bool lines;                    /* surfaces are drawn as lines */
 } GpuSceneSource;
 
 /* Makes a cache, and moves meshes that `before` (or NULL) already has. Returns false on failure,

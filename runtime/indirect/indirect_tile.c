@@ -3,7 +3,7 @@
 #include "runtime/frame_graph/frame.h"
 #include "runtime/indirect/indirect_methods.h"
 #include "runtime/indirect/rays/pass_rays.h"
-#include "runtime/indirect/filter/pass_smooth.h"
+#include "runtime/indirect/filter/pass_denoise.h"
 #include "runtime/indirect/voxels/voxels.h"
 #include <math.h>
 
@@ -67,6 +67,6 @@ int indirect_margin(const Renderer *renderer)
     const double off = 2; /* rays begin off their pixel's center */
     const double reach = reach_of(renderer),
                  pixels = is_whole(renderer) ? INFINITY : pixels_of(renderer, reach);
-    const double margin = ceil(pixels + (reach > 0 ? off : 0)) + pass_smooth_reach(renderer);
+    const double margin = ceil(pixels + (reach > 0 ? off : 0)) + pass_denoise_reach(renderer);
     return margin <= MARGIN_MAX ? (int)margin : AT_ONCE;
 }

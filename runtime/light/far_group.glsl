@@ -1,5 +1,5 @@
 // A group of pixels of a block, which are close to each other and have similar surfaces: written by
-// pass_groups.glsl, later replaced by the sums of pass_gather.glsl. Preceded by lighting.glsl,
+// pass_groups.glsl, later replaced by the sums of pass_light_cluster.glsl. Preceded by lighting.glsl,
 // far_terms.glsl and far_blocks.glsl, and FAR_INVOCATIONS, the invocations per group: some software
 // renderers serialize accesses to shared memory, so that few invocations are faster there.
 layout(std430, binding = FAR_WORDS_BINDING) buffer FarWords {

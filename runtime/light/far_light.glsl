@@ -1,4 +1,4 @@
-// A light as bounded for a group of pixels, for pass_near.glsl and pass_gather.glsl, with one work
+// A light as bounded for a group of pixels, for pass_near.glsl and pass_light_cluster.glsl, with one work
 // group per group of pixels. Preceded by lighting.glsl, far_group.glsl and far_lobe.glsl.
 layout(local_size_x = FAR_INVOCATIONS) in;
 // GROUP: invocations; PITCH: row length of partial sums, which puts neighbors in a column into

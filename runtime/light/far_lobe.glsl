@@ -1,4 +1,4 @@
-// Gloss of distant lights that are summed together, for pass_near.glsl and pass_gather.glsl.
+// Gloss of distant lights that are summed together, for pass_near.glsl and pass_light_cluster.glsl.
 // Preceded by far_terms.glsl and far_group.glsl.
 
 // Bounds of a light for a group of pixels. way: unit direction from the center; power: irradiance

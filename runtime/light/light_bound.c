@@ -1,7 +1,7 @@
 /* Light clustering with an error bound: which lights are summed at each pixel, and which are
  * summed together per group of pixels, so that the displayed picture is within half a step of 8
- * bits, 1/510, of the sum of all lights. pass_groups.glsl, pass_near.glsl and pass_gather.glsl
- * compute it, for each block of 32 x 32 pixels:
+ * bits, 1/510, of the sum of all lights. pass_groups.glsl, pass_near.glsl and
+ * pass_light_cluster.glsl compute it, for each block of 32 x 32 pixels:
  *
  *  1. Pixels that are close to each other form a group, with a center c, a radius, and a cone of
  *     normals. Most blocks have one; a block that shows a box has one for each side, as a light

@@ -8,8 +8,10 @@
 enum { NUMBERS_BINDING = 5, WORDS_BINDING = 4 };
 /* Work group sizes. Summing a series uses few invocations: each needs many registers, and sums
  * wait for one warp only. */
-static const int invocations_hardware[] = {
-    [LIGHT_FAR_groups] = 64, [LIGHT_FAR_near] = 64, [LIGHT_FAR_gather] = 32, [LIGHT_FAR_light] = 0};
+static const int invocations_hardware[] = {[LIGHT_FAR_groups] = 64,
+                                           [LIGHT_FAR_near] = 64,
+                                           [LIGHT_FAR_cluster] = 32,
+                                           [LIGHT_FAR_light] = 0};
 enum { INVOCATIONS_SOFTWARE = 8 /* llvmpipe's SIMD width */ };
 enum { TEXELS_UNIT = LIGHTING_FREE_UNIT, BITS_UNIT };
 

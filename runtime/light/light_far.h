@@ -43,7 +43,7 @@ bool light_order(float (*lights)[LIGHT_PLAIN_TEXELS][4], int count);
  * the pass light. */
 enum { LIGHT_FAR_DEFINITIONS = 512 };
 /* The programs in the order of a frame. */
-typedef enum { LIGHT_FAR_groups, LIGHT_FAR_near, LIGHT_FAR_gather, LIGHT_FAR_light } LightFarUse;
+typedef enum { LIGHT_FAR_groups, LIGHT_FAR_near, LIGHT_FAR_cluster, LIGHT_FAR_light } LightFarUse;
 void light_far_define(const Renderer *renderer, LightFarUse use,
                       char defined[LIGHT_FAR_DEFINITIONS]);
 void light_far_set(const Renderer *renderer, ScreenPass *pass);

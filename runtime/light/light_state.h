@@ -21,7 +21,7 @@ typedef struct {
     float first[3];                 /* the sky's first texel, to which all others are compared */
 } SkyLight;
 
-/* State of pass_gather.c, for light clustering. */
+/* State of pass_light_cluster.c, for light clustering. */
 typedef struct {
     ScreenPass groups, near, gather; /* run in this order */
     GLuint numbers, words;           /* storage buffers of far_blocks.glsl */

@@ -10,7 +10,7 @@ bool light_sky_shines(const Scene *scene);
 bool light_sky_make(Renderer *renderer);
 void light_sky_set(const Renderer *renderer, int unit, ScreenPass *pass);
 void light_sky_bind(const Renderer *renderer, int unit);
-extern const FramePass pass_gather, pass_light;
+extern const FramePass pass_light_cluster, pass_light;
 
 /* Surfaces that a pass lights, and the lights that it sums. layers: transparent layers, by all
  * lights. nearest: the nearest surface, by all lights except those that ambient occlusion dims.

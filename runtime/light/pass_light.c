@@ -71,7 +71,7 @@ static void pass_light_forget(Renderer *renderer)
 const FramePass pass_light = {
     .plan = {"light",
              .reads = FRAME_BIT(depth) | FRAME_BIT(gbuffer) | FRAME_BIT(shadow) | FRAME_BIT(mask) |
-                      FRAME_BIT(seen) | FRAME_BIT(far),
+                      FRAME_BIT(triangle_id) | FRAME_BIT(far),
              .fills = FRAME_BIT(light), .own = FRAME_BIT(gbuffer)},
     .when = "always: what is not lit is black",
     .needed = pass_light_needed,

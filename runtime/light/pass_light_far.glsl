@@ -1,4 +1,4 @@
-// The pass light with light clustering: distant lights by the sums of pass_gather.glsl for the
+// The pass light with light clustering: distant lights by the sums of pass_light_cluster.glsl for the
 // pixel's group, near lights one by one. Preceded by lighting.glsl, far_terms.glsl and
 // far_blocks.glsl.
 uniform sampler2D light_depth;

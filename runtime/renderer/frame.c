@@ -3,7 +3,7 @@
 #include "runtime/indirect/indirect_methods.h"
 #include "runtime/indirect/screen/pass_positions.h"
 #include "runtime/indirect/rays/pass_rays.h"
-#include "runtime/indirect/filter/pass_smooth.h"
+#include "runtime/indirect/filter/pass_denoise.h"
 #include "runtime/indirect/radiance/radiance.h"
 #include "runtime/indirect/voxels/voxels.h"
 #include "runtime/light/light_far.h"
@@ -26,12 +26,12 @@ static const FramePass *const passes[] = {
     &pass_cubes,
     &pass_radiance,
     &pass_volume,
-    &pass_gather,
+    &pass_light_cluster,
     &pass_light,
     &pass_rays,
     &pass_temporal,
-    &pass_smooth,
-    &pass_spread,
+    &pass_denoise,
+    &pass_upsample,
     &pass_combine,
     &pass_sky,
     &pass_edge,
@@ -65,7 +65,7 @@ const char *frame_reason(const Renderer *renderer, const FramePlanRequest *reque
 static unsigned wanted(const Renderer *renderer)
 {
     const char *view = renderer->options.view;
-    const unsigned kept = shadow_method_sees(renderer) ? FRAME_BIT(seen) : 0;
+    const unsigned kept = shadow_method_sees(renderer) ? FRAME_BIT(triangle_id) : 0;
     if (view && voxels_view_level(view) >= 0)
         return FRAME_BIT(cubes);
     if (pass_positions_is_view(view))

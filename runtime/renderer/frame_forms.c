@@ -36,13 +36,13 @@ static const char *format_of(const Renderer *renderer, FrameTarget target, int t
                                                  [FRAME_TARGET_layer_depth] = "DEPTH32F",
                                                  [FRAME_TARGET_light] = light,
                                                  [FRAME_TARGET_rays] = open,
-                                                 [FRAME_TARGET_smooth] = open,
+                                                 [FRAME_TARGET_denoise] = open,
                                                  [FRAME_TARGET_ao] = open,
                                                  [FRAME_TARGET_tools] = light,
                                                  [FRAME_TARGET_cubes] = "RGBA8",
                                                  [FRAME_TARGET_positions] = "RGBA8",
                                                  [FRAME_TARGET_traced] = "RGBA32UI",
-                                                 [FRAME_TARGET_seen] = "R32UI",
+                                                 [FRAME_TARGET_triangle_id] = "R32UI",
                                                  [FRAME_TARGET_edge] = "R32UI",
                                                  [FRAME_TARGET_shown] = shown_format(renderer)};
     const char *const own = shadow_methods_target(renderer, target);
@@ -60,8 +60,8 @@ static int coarse_of(const Renderer *renderer, FrameTarget target)
 {
     if (target == FRAME_TARGET_shown)
         return renderer->samples;
-    return target == FRAME_TARGET_rays || target == FRAME_TARGET_smooth ? indirect_coarse(renderer)
-                                                                        : 1;
+    return target == FRAME_TARGET_rays || target == FRAME_TARGET_denoise ? indirect_coarse(renderer)
+                                                                         : 1;
 }
 
 void frame_forms_find(Renderer *renderer)

@@ -49,7 +49,7 @@ static void pass_surface_draw(Renderer *renderer)
 {
     const bool numbers = shadow_method_sees(renderer) && !renderer->shadows->seen;
     const Framebuffer *framebuffer =
-        &renderer->targets.draws[numbers ? FRAME_DRAW_seen : FRAME_DRAW_surface];
+        &renderer->targets.draws[numbers ? FRAME_DRAW_triangle_id : FRAME_DRAW_surface];
     surface_draw_begin(renderer, framebuffer, GL_GREATER);
     clear(renderer->gl, framebuffer);
     shadow_method_seen_bind(renderer);
@@ -83,13 +83,13 @@ static void pass_sky_draw(Renderer *renderer)
  * for ray-marched displacement. */
 static void pass_surface_request(const Renderer *renderer, FramePlanPass *row)
 {
-    row->fills &= ~(shadow_method_sees(renderer) ? 0 : FRAME_BIT(seen)) &
+    row->fills &= ~(shadow_method_sees(renderer) ? 0 : FRAME_BIT(triangle_id)) &
                   ~(renderer->gpu_scene.tracing ? 0 : FRAME_BIT(traced));
 }
 
 const FramePass pass_surface = {
     .plan = {"surface",
-             .fills = FRAME_BIT(depth) | FRAME_BIT(gbuffer) | FRAME_BIT(seen) | FRAME_BIT(traced)},
+             .fills = FRAME_BIT(depth) | FRAME_BIT(gbuffer) | FRAME_BIT(triangle_id) | FRAME_BIT(traced)},
     .when = "always: what is not drawn is clear",
     .needed = pass_surface_needed,
     .request = pass_surface_request,

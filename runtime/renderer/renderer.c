@@ -235,7 +235,7 @@ static bool make_scene(Renderer *renderer, const Scene *scene, GpuScene *before)
     if (shadow_sheet_needed(renderer))
         renderer->transparency = TRANSPARENCY_peeling;
     const ShadowMethod *sees = shadow_method_seen(renderer);
-    renderer->seen_text = sees ? sees->seen : NULL;
+    renderer->triangle_id_text = sees ? sees->seen : NULL;
     const GpuSceneSource source = frame_source(renderer);
     return gpu_scene_make(renderer->store, &source, before, &renderer->gpu_scene) &&
            shadow_make_views(renderer) && shadow_methods_make(renderer) && frame_make(renderer) &&

@@ -55,7 +55,7 @@ struct ShadowMethod {
     bool even; /* handles all casters except those of varying transparency, which maps have */
     /* Text with which opaque surfaces' programs write the target `seen`, for the first row with
      * `seen_wanted`. */
-    const SeenText *seen;
+    const TriangleIdText *seen;
     /* Return whether the row uses the target: before, and after, the scene's surfaces are known. */
     bool (*seen_wanted)(const Renderer *renderer);
     bool (*seen_needed)(const Renderer *renderer);

@@ -167,8 +167,8 @@ void shadow_bind(const Renderer *renderer, int unit)
         texture_bind(gl, maps->planes, unit + PLANES_UNIT);
     if (maps->sheets.layers)
         bind_array(gl, maps->sheets.layers, unit + SHEETS_UNIT);
-    if (shadow_method_sees(renderer) && frame_texture(renderer, FRAME_TARGET_seen, 0))
-        texture_bind(gl, frame_texture(renderer, FRAME_TARGET_seen, 0), unit + SEEN_UNIT);
+    if (shadow_method_sees(renderer) && frame_texture(renderer, FRAME_TARGET_triangle_id, 0))
+        texture_bind(gl, frame_texture(renderer, FRAME_TARGET_triangle_id, 0), unit + SEEN_UNIT);
     for (const ShadowMethod *const *row = shadow_methods_of(renderer); *row; row++) {
         if ((*row)->bind)
             (*row)->bind(renderer, own);

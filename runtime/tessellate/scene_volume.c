@@ -1,6 +1,6 @@
 /* Volumes: a grid over the shape, a column of solid intervals over each of its places, and
  * triangles between these columns (scene_volume_cells.c), with corners where the surface crosses
- * their edges (scene_volume_spots.c), and its normals there.
+ * their edges (scene_volume_crossings.c), and its normals there.
  *
  * Inside is where f = max((z - h0) (h1 - z), (z - h2) (h3 - z)) > 0. A point is X = P + z A,
  * over the place P, where A is the vector of a height of 1 along the normal. Its normal is -grad
@@ -13,7 +13,7 @@
 #include "runtime/tessellate/scene_volume.h"
 #include "compiler/base/vec3.h"
 #include "runtime/tessellate/scene_divide.h"
-#include "runtime/tessellate/scene_volume_spots.h"
+#include "runtime/tessellate/scene_volume_crossings.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -319,7 +319,7 @@ static bool put_shape(Making *m, Shape *made)
                     .index_count = (int)m->cells.index_count};
     m->cells.indices = NULL;
     const bool fine = p.spots && p.order && p.capacity && made->vertices && made->base &&
-                      scene_volume_spots(m->volume, &m->layers, &m->cells, p.spots, p.order) &&
+                      scene_volume_crossings(m->volume, &m->layers, &m->cells, p.spots, p.order) &&
                       put_vertices(m, &p, made);
     free(p.spots);
     free(p.order);

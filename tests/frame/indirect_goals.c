@@ -41,7 +41,7 @@ static double processor_seconds(void)
  * once for a scene is not among them. */
 static double pass_time(Renderer *renderer)
 {
-    static const char *const passes[] = {"rays", "history", "smooth", "spread"};
+    static const char *const passes[] = {"rays", "temporal", "denoise", "upsample"};
     renderer->gl->Finish();
     const double begin = processor_seconds();
     for (int i = 0; i < frame_pass_count(); i++)

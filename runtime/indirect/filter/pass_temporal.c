@@ -5,7 +5,7 @@
 #include "runtime/frame_graph/frame.h"
 #include "runtime/indirect/filter/indirect_motion.h"
 #include "runtime/indirect/rays/pass_rays.h"
-#include "runtime/indirect/filter/pass_smooth.h"
+#include "runtime/indirect/filter/pass_denoise.h"
 #include "runtime/indirect/voxels/voxels.h"
 #include <math.h>
 #include <stdlib.h>
@@ -198,10 +198,10 @@ static bool pass_temporal_moved(Renderer *renderer, int first, int count)
 }
 
 const FramePass pass_temporal = {
-    .plan = {"history",
+    .plan = {"temporal",
              .reads = FRAME_BIT(depth) | FRAME_BIT(gbuffer) | FRAME_BIT(light) | FRAME_BIT(voxels) |
                       FRAME_BIT(radiance) | FRAME_BIT(rays),
-             .fills = FRAME_BIT(history)},
+             .fills = FRAME_BIT(temporal)},
     .when = "rays of several sets, or frames, count",
     .needed = indirect_keeps,
     .make = pass_temporal_make,

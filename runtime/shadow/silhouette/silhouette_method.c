@@ -82,7 +82,7 @@ static void put(Text *out, const Renderer *renderer)
                     (unsigned long)silhouettes->edge_count * sizeof(SilhouetteEdge));
 }
 
-static const SeenText seen = {.fragment = render_text_triangle_slopes};
+static const TriangleIdText seen = {.fragment = render_text_triangle_slopes};
 
 const ShadowMethod shadow_silhouette = {
     .word = KEYWORD_Shadows_silhouette,

@@ -15,8 +15,8 @@
 enum { TEXT = 4096, FRAMES = 5, FRAMES_MAX = 200, ROWS_MAX = 8 };
 
 /* In the order of a frame: found for each frame; made once for a scene, or its lamps. */
-static const char *const timed_passes[] = {"rays",   "history", "smooth",
-                                           "spread", "voxels",  "radiance"};
+static const char *const timed_passes[] = {"rays",     "temporal", "denoise",
+                                           "upsample", "voxels",   "radiance"};
 enum { TIMED = sizeof timed_passes / sizeof *timed_passes, EACH_FRAME = 4 };
 
 static const char thesis[] = "method: march, rays: 32, steps: 32, filter: none";

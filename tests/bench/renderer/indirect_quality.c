@@ -59,7 +59,7 @@ static bool draw(GlContext *gl, const IndirectQuality *q, int view, const char *
 
 static void time_frame(Drawn *drawn, bool first)
 {
-    static const char *const passes[] = {"rays", "history", "smooth", "spread"};
+    static const char *const passes[] = {"rays", "temporal", "denoise", "upsample"};
     RendererPassTime times[RENDERER_PASSES_MAX];
     double sum = 0;
     for (int count = renderer_time_passes(drawn->render, times), i = 0; i < count; i++)

@@ -223,7 +223,7 @@ static void rows_of_glass_shadows_and_edges(void **state)
     assert_int_equal(plan_of_frame(shown, FRAME_TARGET_light).runs, lit); /* no edge without tone */
     assert_int_equal(plan_of_frame(shown, FRAME_TARGET_gbuffer).runs, PASSES("surface"));
     assert_int_equal(plan_of_frame(shown, FRAME_TARGET_depth).runs, PASSES("surface"));
-    const unsigned many = shown | PASSES("gather");
+    const unsigned many = shown | PASSES("light_cluster");
     assert_int_equal(plan_of_frame(many, FRAME_TARGET_shown).runs, many);
     assert_int_equal(plan_of_frame(many, FRAME_TARGET_depth).runs, PASSES("surface"));
     assert_int_equal(plan_of_frame(shown & ~PASSES("blend"), FRAME_TARGET_shown).runs,

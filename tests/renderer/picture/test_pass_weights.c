@@ -1,4 +1,4 @@
-/* Thresholds and weights of passes. Functions are cut out of pass_temporal.glsl, pass_smooth.glsl,
+/* Thresholds and weights of passes. Functions are cut out of pass_temporal.glsl, pass_denoise.glsl,
  * shadow.glsl and indirect_mask.glsl and run alone, with formulas in place of textures, against the
  * rules in double that their comments state. In a whole picture noise would hide an error of these
  * weights. */
@@ -215,9 +215,9 @@ static void denoiser_weighs_by_surface_and_noise(void **state)
                                "    return sum; }\n";
     static float values[SIDE * SIDE][4];
     char *weights =
-        cut(render_text_pass_smooth, "struct SmoothPlace", "// Where the picture begins");
+        cut(render_text_pass_denoise, "struct SmoothPlace", "// Where the picture begins");
     char *filter =
-        cut(render_text_pass_smooth, "const float SMOOTH_NOISE", "#else\nvec4 passPixel");
+        cut(render_text_pass_denoise, "const float SMOOTH_NOISE", "#else\nvec4 passPixel");
     char *entry = strstr(filter, "vec4 passPixel");
     assert_non_null(entry);
     memcpy(entry, "vec4 filtered_", strlen("vec4 passPixel"));

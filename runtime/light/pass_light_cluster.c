@@ -1,13 +1,13 @@
 /* The pass gather: light clustering, from the G-buffer, depth and lights to the sums of distant
  * lights and the sets of near lights for each block of pixels (light_bound.c). Three dispatches:
  * pass_groups.glsl finds groups of pixels; pass_near.glsl selects each group's near lights;
- * pass_gather.glsl sums the others. The sum has a dispatch of its own since it needs many
+ * pass_light_cluster.glsl sums the others. The sum has a dispatch of its own since it needs many
  * registers. light_storage.c has the buffers. */
 #include "gen/render_text.h"
 #include "runtime/light/light_far.h"
 #include "runtime/light/lighting.h"
 
-static bool pass_gather_needed(const Renderer *renderer)
+static bool pass_light_cluster_needed(const Renderer *renderer)
 {
     return renderer->scene && light_far_used(renderer);
 }
@@ -28,24 +28,24 @@ static bool make(Renderer *renderer, LightFarUse use, const char *const texts[3]
     return true;
 }
 
-static bool pass_gather_make(Renderer *renderer)
+static bool pass_light_cluster_make(Renderer *renderer)
 {
     static const char *const texts[][3] = {
         [LIGHT_FAR_groups] = {render_text_pass_groups},
         [LIGHT_FAR_near] = {render_text_far_lobe, render_text_far_light, render_text_pass_near},
-        [LIGHT_FAR_gather] = {render_text_far_lobe, render_text_far_light,
-                              render_text_pass_gather}};
+        [LIGHT_FAR_cluster] = {render_text_far_lobe, render_text_far_light,
+                               render_text_pass_light_cluster}};
     FrameFar *far = &renderer->light->far;
     if ((!renderer->light->table.texels && !lighting_lights(renderer)) ||
         !make(renderer, LIGHT_FAR_groups, texts[LIGHT_FAR_groups], &far->groups) ||
         !make(renderer, LIGHT_FAR_near, texts[LIGHT_FAR_near], &far->near) ||
-        !make(renderer, LIGHT_FAR_gather, texts[LIGHT_FAR_gather], &far->gather))
+        !make(renderer, LIGHT_FAR_cluster, texts[LIGHT_FAR_cluster], &far->gather))
         return false;
     far->near.layers = far->gather.layers = LIGHT_FAR_GROUPS;
     return light_far_make(renderer);
 }
 
-static void pass_gather_draw(Renderer *renderer)
+static void pass_light_cluster_draw(Renderer *renderer)
 {
     lighting_bind(renderer, FRAME_TARGET_gbuffer, FRAME_TARGET_depth);
     light_far_bind(renderer);
@@ -57,12 +57,12 @@ static void pass_gather_draw(Renderer *renderer)
                     &renderer->screen);
 }
 
-static void pass_gather_place(Renderer *renderer)
+static void pass_light_cluster_place(Renderer *renderer)
 {
     lighting_place(renderer, &renderer->light->far.groups);
 }
 
-static bool pass_gather_changed(Renderer *renderer, unsigned what)
+static bool pass_light_cluster_changed(Renderer *renderer, unsigned what)
 {
     FrameFar *far = &renderer->light->far;
     return lighting_changed(renderer, what, &far->groups) &&
@@ -70,7 +70,7 @@ static bool pass_gather_changed(Renderer *renderer, unsigned what)
            lighting_changed(renderer, what, &far->gather);
 }
 
-static bool pass_gather_moved(Renderer *renderer, int first, int count)
+static bool pass_light_cluster_moved(Renderer *renderer, int first, int count)
 {
     (void)first, (void)count;
     lighting_moved(renderer, &renderer->light->far.groups);
@@ -79,16 +79,16 @@ static bool pass_gather_moved(Renderer *renderer, int first, int count)
     return true;
 }
 
-const FramePass pass_gather = {
-    .plan = {"gather", .reads = FRAME_BIT(depth) | FRAME_BIT(gbuffer) | FRAME_BIT(mask),
+const FramePass pass_light_cluster = {
+    .plan = {"light_cluster", .reads = FRAME_BIT(depth) | FRAME_BIT(gbuffer) | FRAME_BIT(mask),
              .fills = FRAME_BIT(far)},
     .when = "lights are many, and far ones are taken together",
-    .needed = pass_gather_needed,
+    .needed = pass_light_cluster_needed,
     .lacks = light_far_lacks,
-    .make = pass_gather_make,
-    .draw = pass_gather_draw,
-    .place = pass_gather_place,
-    .changed = pass_gather_changed,
-    .moved = pass_gather_moved,
+    .make = pass_light_cluster_make,
+    .draw = pass_light_cluster_draw,
+    .place = pass_light_cluster_place,
+    .changed = pass_light_cluster_changed,
+    .moved = pass_light_cluster_moved,
     .forget = light_far_delete,
 };

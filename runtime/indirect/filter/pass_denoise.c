@@ -1,10 +1,10 @@
 /* The passes smooth and spread: denoise the rays' results, as means over pixels of the same
  * surface. Smooth filters along rows; spread filters along columns and upsamples to all pixels
- * of the picture. Their GLSL is pass_smooth.glsl, after indirect_place.glsl. */
+ * of the picture. Their GLSL is pass_denoise.glsl, after indirect_place.glsl. */
 #include "gen/render_text.h"
 #include "runtime/frame_graph/frame.h"
 #include "runtime/indirect/rays/pass_rays.h"
-#include "runtime/indirect/filter/pass_smooth.h"
+#include "runtime/indirect/filter/pass_denoise.h"
 
 enum { SOURCE_UNIT = INDIRECT_FREE_UNIT, FOUND_UNIT };
 
@@ -29,7 +29,7 @@ static int atrous_levels(const Renderer *renderer)
     return (renderer->scene->indirect.filter_size > narrow ? 4 : 2) - odd;
 }
 
-int pass_smooth_reach(const Renderer *renderer)
+int pass_denoise_reach(const Renderer *renderer)
 {
     const int coarse = indirect_coarse(renderer), spread = coarse > 1 ? 2 : 0;
     const int reach = is_atrous(renderer) ? 2 * ((1 << atrous_levels(renderer)) - 1) + 1
@@ -37,7 +37,7 @@ int pass_smooth_reach(const Renderer *renderer)
     return indirect_is_smoothed(renderer) ? coarse * (reach + spread) : 0;
 }
 
-static bool pass_smooth_needed(const Renderer *renderer) { return indirect_is_smoothed(renderer); }
+static bool pass_denoise_needed(const Renderer *renderer) { return indirect_is_smoothed(renderer); }
 
 static bool make(Renderer *renderer, bool spread, int coarse, ScreenPass *pass)
 {
@@ -49,7 +49,7 @@ static bool make(Renderer *renderer, bool spread, int coarse, ScreenPass *pass)
                  atrous && !spread ? "#define SMOOTH_ATROUS\n" : "",
                  spread ? "#define SMOOTH_SPREAD\n" : "",
                  atrous && spread ? "#undef INDIRECT_FILTER\n#define INDIRECT_FILTER 0\n" : "",
-                 render_text_indirect_place, render_text_pass_smooth},
+                 render_text_indirect_place, render_text_pass_denoise},
         .format = frame_format(renderer, FRAME_TARGET_ao, 0),
         .compute = renderer->compute};
     if (!screen_pass_make(renderer->store, &text, pass))
@@ -71,7 +71,7 @@ static bool make_part(Renderer *renderer, FrameTarget target, int coarse, Frameb
     return framebuffer_make_around(renderer->gl, &spec, &textures, made);
 }
 
-static bool pass_smooth_make(Renderer *renderer)
+static bool pass_denoise_make(Renderer *renderer)
 {
     IndirectMoving *moving = &renderer->indirect->moving;
     const int coarse = indirect_moving(renderer);
@@ -79,10 +79,10 @@ static bool pass_smooth_make(Renderer *renderer)
            (!coarse || (make(renderer, false, coarse, &moving->smooth) &&
                         make(renderer, true, coarse, &moving->spread) &&
                         make_part(renderer, FRAME_TARGET_rays, coarse, &moving->found) &&
-                        make_part(renderer, FRAME_TARGET_smooth, coarse, &moving->smoothed)));
+                        make_part(renderer, FRAME_TARGET_denoise, coarse, &moving->smoothed)));
 }
 
-static bool pass_spread_make(Renderer *renderer)
+static bool pass_upsample_make(Renderer *renderer)
 {
     const int coarse = indirect_coarse(renderer);
     return (!is_atrous(renderer) ||
@@ -112,12 +112,12 @@ static void draw_level(Renderer *renderer, int level)
     ScreenPass *pass = &renderer->indirect->smooth;
     material_set_number(&pass->material, "smooth_level", (float)level);
     run(renderer, pass,
-        level ? frame_texture(renderer, level % 2 ? FRAME_TARGET_smooth : FRAME_TARGET_ao, 0)
+        level ? frame_texture(renderer, level % 2 ? FRAME_TARGET_denoise : FRAME_TARGET_ao, 0)
               : found(renderer),
-        level % 2 ? &renderer->indirect->between : &renderer->targets.draws[FRAME_DRAW_smooth]);
+        level % 2 ? &renderer->indirect->between : &renderer->targets.draws[FRAME_DRAW_denoise]);
 }
 
-static void pass_smooth_draw(Renderer *renderer)
+static void pass_denoise_draw(Renderer *renderer)
 {
     IndirectMoving *moving = &renderer->indirect->moving;
     if (is_atrous(renderer))
@@ -126,7 +126,7 @@ static void pass_smooth_draw(Renderer *renderer)
         run(renderer, &moving->smooth, found(renderer), &moving->smoothed);
     else
         run(renderer, &renderer->indirect->smooth, found(renderer),
-            &renderer->targets.draws[FRAME_DRAW_smooth]);
+            &renderer->targets.draws[FRAME_DRAW_denoise]);
 }
 
 static void spread(Renderer *renderer)
@@ -137,30 +137,30 @@ static void spread(Renderer *renderer)
         run(renderer,
             indirect_moves(renderer) ? &renderer->indirect->moving.spread
                                      : &renderer->indirect->spread,
-            frame_texture(renderer, FRAME_TARGET_smooth, 0),
+            frame_texture(renderer, FRAME_TARGET_denoise, 0),
             &renderer->targets.draws[FRAME_DRAW_ao]);
 }
 
 /* Denoises, then repeats all three passes for each further bounce: surfaces then reflect the
  * light of lamps and of the bounces before. */
-static void pass_spread_draw(Renderer *renderer)
+static void pass_upsample_draw(Renderer *renderer)
 {
     spread(renderer);
     for (int i = 1; indirect_is_repeated(renderer) && i < renderer->scene->indirect.bounces; i++) {
         pass_rays_draw_again(renderer);
-        pass_smooth_draw(renderer);
+        pass_denoise_draw(renderer);
         spread(renderer);
     }
 }
 
-static void pass_smooth_request(const Renderer *renderer, FramePlanPass *row)
+static void pass_denoise_request(const Renderer *renderer, FramePlanPass *row)
 {
-    row->reads |= indirect_keeps(renderer) ? FRAME_BIT(history) : 0;
+    row->reads |= indirect_keeps(renderer) ? FRAME_BIT(temporal) : 0;
 }
 
 /* The à-trous filter reads the rays for their standard deviation; a further bounce traces rays
  * itself. */
-static void pass_spread_request(const Renderer *renderer, FramePlanPass *row)
+static void pass_upsample_request(const Renderer *renderer, FramePlanPass *row)
 {
     if (is_atrous(renderer))
         row->reads |= FRAME_BIT(rays);
@@ -168,22 +168,22 @@ static void pass_spread_request(const Renderer *renderer, FramePlanPass *row)
         row->reads |= FRAME_BIT(rays) | FRAME_BIT(light) | FRAME_BIT(voxels);
 }
 
-const FramePass pass_smooth = {
-    .plan = {"smooth", .reads = FRAME_BIT(depth) | FRAME_BIT(gbuffer) | FRAME_BIT(rays),
-             .fills = FRAME_BIT(smooth)},
+const FramePass pass_denoise = {
+    .plan = {"denoise", .reads = FRAME_BIT(depth) | FRAME_BIT(gbuffer) | FRAME_BIT(rays),
+             .fills = FRAME_BIT(denoise)},
     .when = "what rays found is smoothed",
-    .needed = pass_smooth_needed,
-    .request = pass_smooth_request,
-    .make = pass_smooth_make,
-    .draw = pass_smooth_draw,
+    .needed = pass_denoise_needed,
+    .request = pass_denoise_request,
+    .make = pass_denoise_make,
+    .draw = pass_denoise_draw,
 };
 
-const FramePass pass_spread = {
-    .plan = {"spread", .reads = FRAME_BIT(depth) | FRAME_BIT(gbuffer) | FRAME_BIT(smooth),
+const FramePass pass_upsample = {
+    .plan = {"upsample", .reads = FRAME_BIT(depth) | FRAME_BIT(gbuffer) | FRAME_BIT(denoise),
              .fills = FRAME_BIT(ao)},
     .when = "what rays found is smoothed",
-    .needed = pass_smooth_needed,
-    .request = pass_spread_request,
-    .make = pass_spread_make,
-    .draw = pass_spread_draw,
+    .needed = pass_denoise_needed,
+    .request = pass_upsample_request,
+    .make = pass_upsample_make,
+    .draw = pass_upsample_draw,
 };

@@ -7,7 +7,7 @@
  *     of the square of the remaining width, 0.2, to 0.2625, where f is -0.1025; the secant to
  *     there gives 0.238, moved to 0.252, f = -0.016. Between 0 and 0.252 the secant gives
  *     0.24799, where f is 0.016: the remaining width is then below 1/512. */
-#include "runtime/tessellate/scene_volume_spots.h"
+#include "runtime/tessellate/scene_volume_crossings.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -268,8 +268,8 @@ static bool make_capacity(Looking *l)
     return l->columns && l->asked;
 }
 
-bool scene_volume_spots(const SceneVolume *volume, const SceneLayers *layers,
-                        const SceneCells *cells, SceneSpot *spots, uint32_t *order)
+bool scene_volume_crossings(const SceneVolume *volume, const SceneLayers *layers,
+                            const SceneCells *cells, SceneSpot *spots, uint32_t *order)
 {
     Looking l = {.volume = volume, .layers = layers, .spots = spots};
     for (size_t i = 0; i < cells->node_count; i++)

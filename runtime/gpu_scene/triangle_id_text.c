@@ -1,4 +1,4 @@
-#include "runtime/gpu_scene/seen_text.h"
+#include "runtime/gpu_scene/triangle_id_text.h"
 #include <stdio.h>
 #include <string.h>
 
@@ -7,8 +7,8 @@ static const char vertex_tail[] =
     "#undef main\nflat out uint seen_place;\nvoid main()\n{\n    surfaceMain();\n    "
     "seen_place = matc_instance;\n}\n";
 
-void seen_text_make(const GlContext *gl, const MaterialSet *set, const SeenText *text,
-                    SeenTextAround *made)
+void triangle_id_text_make(const GlContext *gl, const MaterialSet *set, const TriangleIdText *text,
+                           TriangleIdTextParts *made)
 {
     int targets = 0;
     while (material_set_format(set, targets))
@@ -27,7 +27,7 @@ static const char *rest_of(const char *text)
     return end ? end + 1 : text;
 }
 
-void seen_text_wrap(const SeenTextAround *around, ProgramText *program)
+void triangle_id_text_wrap(const TriangleIdTextParts *around, ProgramText *program)
 {
     const char *const fragment[] = {around->head, around_main, rest_of(program->fragment[0]),
                                     around->defined, around->text->fragment};

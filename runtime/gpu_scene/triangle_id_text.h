@@ -1,7 +1,7 @@
 /* GLSL around the programs of opaque surfaces, which then also write a word about the visible
  * triangle to the target `seen`. */
-#ifndef MATC_GPU_SCENE_SEEN_TEXT_H
-#define MATC_GPU_SCENE_SEEN_TEXT_H
+#ifndef MATC_GPU_SCENE_TRIANGLE_ID_TEXT_H
+#define MATC_GPU_SCENE_TRIANGLE_ID_TEXT_H
 #include "runtime/gpu_scene/material_set.h"
 #include "runtime/gpu_material/store.h"
 
@@ -13,18 +13,18 @@ typedef struct {
     /* reads seen_place, the index of the object's place: an input if SEEN_INSTANCES is defined,
      * else a uniform */
     bool places;
-} SeenText;
+} TriangleIdText;
 
 /* Texts for the programs of a set; `text` is NULL if programs write no such word. */
 typedef struct {
-    const SeenText *text;
+    const TriangleIdText *text;
     const char *head;
     char defined[SEEN_TEXT_DEFINED];
     bool instances;
-} SeenTextAround;
+} TriangleIdTextParts;
 
-void seen_text_make(const GlContext *gl, const MaterialSet *set, const SeenText *text,
-                    SeenTextAround *made);
+void triangle_id_text_make(const GlContext *gl, const MaterialSet *set, const TriangleIdText *text,
+                           TriangleIdTextParts *made);
 /* Wraps a material's programs, each a single text; *around must live until they are compiled. */
-void seen_text_wrap(const SeenTextAround *around, ProgramText *program);
+void triangle_id_text_wrap(const TriangleIdTextParts *around, ProgramText *program);
 #endif

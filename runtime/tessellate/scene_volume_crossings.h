@@ -1,6 +1,6 @@
 /* Intersections of a volume's surface with the edges of its prisms. */
-#ifndef MATC_SCENE_VOLUME_SPOTS_H
-#define MATC_SCENE_VOLUME_SPOTS_H
+#ifndef MATC_SCENE_VOLUME_CROSSINGS_H
+#define MATC_SCENE_VOLUME_CROSSINGS_H
 #include "runtime/tessellate/scene_volume.h"
 
 /* Position of a node: over an edge between two places, from the lower number to the higher, so
@@ -21,6 +21,6 @@ unsigned scene_volume_pairs(const SceneColumn *columns, int count);
 ShapeVertex scene_volume_mixed(const ShapeVertex *a, const ShapeVertex *b, double t);
 /* Finds a position for each node; `order` gets the numbers of all nodes, grouped by edge, from
  * below. False: as for SceneSolid. */
-bool scene_volume_spots(const SceneVolume *volume, const SceneLayers *layers,
-                        const SceneCells *cells, SceneSpot *spots, uint32_t *order);
+bool scene_volume_crossings(const SceneVolume *volume, const SceneLayers *layers,
+                            const SceneCells *cells, SceneSpot *spots, uint32_t *order);
 #endif
