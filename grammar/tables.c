@@ -128,7 +128,7 @@ bool param_is_unstored(int param)
 const char *param_parted(int param, int *weight)
 {
     switch (param) {
-#define PARTED(kind, name, by, what)                                                               \
+#define TILED(kind, name, by, what)                                                                \
     case P_##kind##_##name:                                                                        \
         *weight = P_##kind##_##by;                                                                 \
         return what;

@@ -134,7 +134,7 @@ extern const ParamRow param_table[PARAM_COUNT];
 bool param_is_colored(int param), param_is_number(int param);
 /* True if no slot stores this parameter: UNSTORED lines of materials.def. */
 bool param_is_unstored(int param);
-/* Returns how the parameter is modified if the parameter *weight is not 0: PARTED lines; NULL:
+/* Returns how the parameter is modified if the parameter *weight is not 0: TILED lines; NULL:
  * not at all. */
 const char *param_parted(int param, int *weight);
 static inline bool param_is_word(const ParamRow *row) { return row->type > PARAM_Items; }

@@ -110,7 +110,7 @@ static void lint_normals(Session *session, const Node *material)
 /* -- Parts that no G-buffer stores */
 
 /* Lints for parts of a physically based material that no G-buffer stores, or stores only
- * modified: UNSTORED and PARTED of materials.def. */
+ * modified: UNSTORED and TILED of materials.def. */
 
 static bool is_lost(const Node *node, int i)
 {

@@ -20,7 +20,7 @@ static const DisplacedMethod *method_of(Keyword word)
     return &displaced_grid;
 }
 
-bool displaced_there(const GlContext *gl, Keyword method)
+bool displaced_supported(const GlContext *gl, Keyword method)
 {
     GLint vertex = 0, bindings = 0;
     if (gl->major * 10 + gl->minor < 45 || !gl->BindBufferBase || !gl->BindBufferRange ||

@@ -43,7 +43,7 @@ typedef struct {
 
 /* Returns whether the driver supports the method: OpenGL 4.5, with storage buffers in the
  * method's stages. */
-bool displaced_there(const GlContext *gl, Keyword method);
+bool displaced_supported(const GlContext *gl, Keyword method);
 /* Makes programs and buffers for a scene mesh with patches; of the mesh only its arrays exist so
  * far. False: failed, see the context's error; *made is empty. */
 bool displaced_make(Store *store, const Scene *scene, const MatcOptions *compile, int mesh,

@@ -18,7 +18,7 @@ typedef struct {
 typedef struct DisplacedMethod {
     Keyword word; /* keyword of the list Displacing */
     bool by_view; /* triangles depend on the camera, whatever the key `pixels` says */
-    /* The driver supports the method, in addition to displaced_there()'s requirements. NULL:
+    /* The driver supports the method, in addition to displaced_supported()'s requirements. NULL:
      * always. */
     bool (*there)(const GlContext *gl);
     /* Makes `material` and the method's state `own`. False: failed, see the context's error;
@@ -59,7 +59,7 @@ bool displaced_end(const Displaced *displaced);
 void displaced_capture(Displaced *displaced, const Mesh *mesh, size_t first, size_t points);
 /* Returns whether the driver's geometry programs can read the buffers of displace_point.glsl;
  * outputs stay within the limits that every driver has. */
-bool displaced_geometry_there(const GlContext *gl);
+bool displaced_geometry_supported(const GlContext *gl);
 /* Computes `parts` for the view. If they have changed, sets `anew` and fills the buffer of drawn
  * patches, ordered by the parts of their interiors: first[n] is the first patch of n parts, and
  * the last element is the end. */

@@ -50,7 +50,7 @@ struct Renderer {
     MatcOptions compile;
     RendererOptions options;
     const SurfaceModel *surface;
-    char surface_lacks[SURFACE_MODEL_DEFINITIONS];
+    char surface_missing[SURFACE_MODEL_DEFINITIONS];
     const FrameLook *look; /* the debug view in use, or NULL */
     const Scene *scene;
     RendererParam *params; /* parameters set since the scene was loaded */
@@ -69,7 +69,7 @@ struct Renderer {
     bool triangles;
     bool beside; /* shadows need objects outside the view, too */
     Transparency transparency;
-    bool parted; /* shadow lists are tiled: shadow_tables.c */
+    bool tiled; /* shadow lists are tiled: shadow_tables.c */
     MaterialSet set;
     ViewSpace space;
     CullVolume volume; /* the view frustum */

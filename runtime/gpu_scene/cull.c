@@ -104,8 +104,8 @@ bool cull_sees(const CullVolume *volume, const CullBox *box, const SceneMatrix *
     return true;
 }
 
-bool cull_is_beyond(const CullVolume *volume, const CullBox *box,
-                    const SceneMatrix *world_from_local)
+bool cull_is_outside(const CullVolume *volume, const CullBox *box,
+                     const SceneMatrix *world_from_local)
 {
     const BoxImage image = image_of(box, world_from_local->m);
     const double *plane = volume->planes[NEAREST];

@@ -25,6 +25,6 @@ CullBox cull_box(const Shape *shape);
 bool cull_sees(const CullVolume *volume, const CullBox *box, const SceneMatrix *world_from_local);
 /* Reports whether the whole box is farther than the near plane, so that the camera is not
  * inside. */
-bool cull_is_beyond(const CullVolume *volume, const CullBox *box,
-                    const SceneMatrix *world_from_local);
+bool cull_is_outside(const CullVolume *volume, const CullBox *box,
+                     const SceneMatrix *world_from_local);
 #endif

@@ -383,7 +383,7 @@ bool gpu_scene_make(Store *store, const GpuSceneSource *source, GpuScene *before
     triangle_id_text_make(maker.gl, source->set, source->written, &maker.seen);
     const bool done = make_capacity(&maker) && add_objects(&maker) && make_sky(&maker) &&
                       make_buffers(&maker) && gpu_scene_arrange(maker.gl, source, made);
-    made->displaced_anew = false; /* all passes are built after this */
+    made->displaced_rebuilt = false; /* all passes are built after this */
     forget(&maker);
     if (!done)
         gpu_scene_delete(maker.gl, made);

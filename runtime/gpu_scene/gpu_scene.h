@@ -85,7 +85,7 @@ typedef struct {
     Material *traced;
     bool tracing; /* some kind has such a program */
     /* A displaced mesh has been tessellated again; readers reset the flag. */
-    bool displaced_anew;
+    bool displaced_rebuilt;
     int mesh_count;
     /* Objects except infinite planes, opaque ones first, sorted by program, kind, mesh. */
     GpuScenePlace *places;

@@ -68,7 +68,7 @@ static bool displace(const DisplacedView *view, const GpuSceneSource *source, Gp
     Shape shape;
     if (!displaced_write(displaced, view, &gpu_scene->meshes[mesh]))
         return false;
-    gpu_scene->displaced_anew |= displaced->anew;
+    gpu_scene->displaced_rebuilt |= displaced->anew;
     if (!source->triangles || !displaced->anew)
         return true;
     if (!displaced_read(displaced, &gpu_scene->meshes[mesh], &shape))

@@ -152,7 +152,7 @@ static bool list_seen(const GpuSceneSource *source, GpuScene *gpu_scene)
                 continue;
             drawable->solid =
                 drawable->solid &&
-                cull_is_beyond(source->view, &gpu_scene->boxes[drawable->mesh], matrix);
+                cull_is_outside(source->view, &gpu_scene->boxes[drawable->mesh], matrix);
             list[next++] = (uint32_t)k;
         }
         drawable->seen = next - first;

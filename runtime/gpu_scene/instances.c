@@ -3,7 +3,7 @@
 #include "runtime/tessellate/scene_scatter.h"
 #include <string.h>
 
-bool instances_there(const GlContext *gl)
+bool instances_supported(const GlContext *gl)
 {
     GLint vertex = 0, fragment = 0;
     if (gl->major * 10 + gl->minor < 45 || !gl->DrawElementsInstancedBaseInstance ||

@@ -25,7 +25,7 @@ typedef struct {
 
 /* Reports whether the driver supports such instances: OpenGL 4.5, with storage buffers in both
  * stages. */
-bool instances_there(const GlContext *gl);
+bool instances_supported(const GlContext *gl);
 Instance instance_of(const Scene *scene, int object, int material);
 InstanceView instance_view(const Spaces *spaces);
 #endif

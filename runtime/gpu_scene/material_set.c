@@ -416,7 +416,7 @@ bool material_set_make(GlContext *gl, const Scene *scene, const MatcOptions *com
     *made = (MaterialSet){.target = gl->major * 10 + gl->minor >= 45 ? "glsl450" : "glsl330",
                           .uses = uses};
     maker.options.slot = "transparency"; /* the slot of the pass value */
-    made->instances = !strcmp(made->target, "glsl450") && instances_there(gl);
+    made->instances = !strcmp(made->target, "glsl450") && instances_supported(gl);
     maker.options.target = made->target;
     maker.options.instances = made->instances;
     maker.options.moved = scene->displaced > 0;

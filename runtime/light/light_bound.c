@@ -138,16 +138,16 @@ static const char *find_lack(const Renderer *renderer, int count)
         return "what the tone mapping makes of it has no bound";
     if (!renderer->surface->parts)
         return "nothing bounds the surface model";
-    if (renderer->parted)
+    if (renderer->tiled)
         return "shadows are made in parts";
-    if (shadow_sheet_needed(renderer))
+    if (plane_transmittance_needed(renderer))
         return "a plane's shadows are known pixel by pixel";
     return renderer->compute && has_buffers(renderer->gl)
                ? NULL
                : "it takes compute with three storage buffers and 18 textures";
 }
 
-const char *light_far_lacks(const Renderer *renderer)
+const char *light_far_missing(const Renderer *renderer)
 {
     const int count = count_lights(renderer->scene),
               least = renderer->gl->hardware ? MIN_HARDWARE : MIN_SOFTWARE;
@@ -159,4 +159,4 @@ const char *light_far_lacks(const Renderer *renderer)
                                           : "more than 8 bits, or halves, are asked for";
 }
 
-bool light_far_used(const Renderer *renderer) { return !light_far_lacks(renderer); }
+bool light_far_used(const Renderer *renderer) { return !light_far_missing(renderer); }

@@ -10,7 +10,7 @@
 /* Checks the option `lights`; returns the reason why distant lights are not summed together,
  * NULL if they are; reports whether they are. */
 bool light_far_check(GlContext *gl, const RendererOptions *options);
-const char *light_far_lacks(const Renderer *renderer);
+const char *light_far_missing(const Renderer *renderer);
 bool light_far_used(const Renderer *renderer);
 /* Returns the capacity in lights, a power of two and a multiple of 32. Programs are shared by
  * all numbers of lights up to it. */

@@ -71,7 +71,7 @@ static void add_surface(const Renderer *renderer, bool places, ScreenPassText *t
 {
     screen_pass_add(text, renderer->set.unpack ? renderer->set.unpack : no_surface);
     light_sum_texts(renderer, places, text);
-    screen_pass_add(text, renderer->surface_lacks);
+    screen_pass_add(text, renderer->surface_missing);
     screen_pass_add(text, renderer->surface->text);
     screen_pass_add_all(text, renderer->surface->more, SURFACE_MODEL_MORE);
 }
@@ -163,7 +163,7 @@ void lighting_bind(const Renderer *renderer, FrameTarget surfaces, FrameTarget d
 
 void lighting_run(Renderer *renderer, const LightingSource *source, ScreenPass *pass)
 {
-    shadow_sheet_draw(renderer, frame_texture(renderer, source->depth, 0));
+    plane_transmittance_draw(renderer, frame_texture(renderer, source->depth, 0));
     for (int part = 0; part < shadow_parts_number(renderer); part++) {
         shadow_parts_load(renderer, part);
         lighting_bind(renderer, source->surfaces, source->depth);

@@ -28,7 +28,7 @@ static bool pass_light_make(Renderer *renderer)
                ? make_far(renderer)
                : lighting_make(renderer,
                                &(LightingText){
-                                   {render_text_pass_light}, renderer->parted, 0, LIGHTING_nearest},
+                                   {render_text_pass_light}, renderer->tiled, 0, LIGHTING_nearest},
                                &renderer->light->pass);
 }
 
@@ -37,7 +37,7 @@ static void pass_light_draw(Renderer *renderer)
     const LightingSource source = {FRAME_TARGET_gbuffer, FRAME_TARGET_depth, 0};
     if (renderer->light->far.numbers)
         light_far_bind_read(renderer);
-    if (renderer->parted) { /* runs over tiled lists add up */
+    if (renderer->tiled) { /* runs over tiled lists add up */
         framebuffer_use(renderer->gl, &renderer->targets.draws[FRAME_DRAW_light]);
         renderer->gl->ClearBufferfv(GL_COLOR, 0, (const float[4]){0});
     }

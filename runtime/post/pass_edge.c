@@ -16,7 +16,7 @@ bool pass_edge_needed(const Renderer *renderer)
            (!renderer->look || renderer->look->scene == FRAME_LOOK_faces);
 }
 
-const char *pass_edge_lacks(const Renderer *renderer)
+const char *pass_edge_missing(const Renderer *renderer)
 {
     const bool asked = renderer->options.edges == RENDERER_EDGES_coverage;
     if (!asked || renderer->compute)
@@ -131,7 +131,7 @@ const FramePass pass_edge = {
     .plan = {"edge", .reads = FRAME_BIT(depth), .fills = FRAME_BIT(edge)},
     .when = "edges are blended by coverage",
     .needed = pass_edge_needed,
-    .lacks = pass_edge_lacks,
+    .lacks = pass_edge_missing,
     .make = pass_edge_make,
     .draw = pass_edge_draw,
     .place = pass_edge_place,

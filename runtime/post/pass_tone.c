@@ -82,7 +82,7 @@ static bool pass_tone_make(Renderer *renderer)
     snprintf(kind, sizeof kind, "#define TONE_%s\n#define TONE_SAMPLES %d\n%s%s",
              renderer->options.linear ? "LIGHT" : scene_kind_table[renderer->scene->tone].name,
              renderer->samples, measures(renderer) ? "#define TONE_MEASURES\n" : "",
-             pass_tools_are_there(renderer) ? "#define TONE_TOOLS\n" : "");
+             pass_tools_enabled(renderer) ? "#define TONE_TOOLS\n" : "");
     const ScreenPassText text = {
         .body = {kind, render_text_tone, backdrop_text(renderer),
                  has_edges(renderer) ? render_text_edge_part : render_text_edge_none,
@@ -197,7 +197,7 @@ static void pass_tone_draw(Renderer *renderer)
     texture_bind(renderer->gl, light, LIGHT_UNIT);
     if (has_edges(renderer))
         texture_bind(renderer->gl, frame_texture(renderer, FRAME_TARGET_edge, 0), EDGE_UNIT);
-    if (pass_tools_are_there(renderer))
+    if (pass_tools_enabled(renderer))
         texture_bind(renderer->gl, frame_texture(renderer, FRAME_TARGET_tools, 0), TOOLS_UNIT);
     screen_pass_run(&renderer->picture->tone, &renderer->targets.draws[FRAME_DRAW_shown],
                     &renderer->screen);

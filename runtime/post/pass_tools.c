@@ -21,7 +21,7 @@ static bool pass_tools_needed(const Renderer *renderer)
            (!view || !strcmp(view, "shown"));
 }
 
-bool pass_tools_are_there(const Renderer *renderer)
+bool pass_tools_enabled(const Renderer *renderer)
 {
     return renderer->targets.plan.there >> FRAME_TARGET_tools & 1;
 }
@@ -130,13 +130,13 @@ static void pass_tools_draw(Renderer *renderer)
 
 bool pass_tools_make_veil(Renderer *renderer, const LightingText *text)
 {
-    return !pass_tools_are_there(renderer) ||
+    return !pass_tools_enabled(renderer) ||
            lighting_make(renderer, text, &renderer->picture->tools.veil);
 }
 
 void pass_tools_draw_veil(Renderer *renderer)
 {
-    if (pass_tools_are_there(renderer))
+    if (pass_tools_enabled(renderer))
         screen_pass_run(&renderer->picture->tools.veil, &renderer->picture->tools.colors,
                         &renderer->screen);
 }

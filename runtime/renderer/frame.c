@@ -98,7 +98,7 @@ void frame_request(const Renderer *renderer, FramePlanRows *made)
 {
     /* Fragment programs cannot read the target that they write, and passes over tiled shadow
      * lists read the light that they wrote. */
-    const bool at_once = renderer->compute && !renderer->parted;
+    const bool at_once = renderer->compute && !renderer->tiled;
     unsigned allowed = 0;
     for (int i = 0; i < PASSES; i++) {
         made->passes[i] = passes[i]->plan;

@@ -10,7 +10,7 @@
 static bool is_exact(const Renderer *renderer)
 {
     const double degrees = 0.005;
-    if (renderer->options.deep || renderer->parted)
+    if (renderer->options.deep || renderer->tiled)
         return true;
     const LayoutRow *layout = material_set_layout(&renderer->set, &renderer->compile);
     for (int i = 0; i < layout->cases[0].field_count; i++) {
@@ -77,5 +77,6 @@ void frame_forms_find(Renderer *renderer)
 
 int frame_all_bytes(const Renderer *renderer)
 {
-    return frame_plan_bytes(renderer) + light_far_bytes(renderer) + shadow_sheet_bytes(renderer);
+    return frame_plan_bytes(renderer) + light_far_bytes(renderer) +
+           plane_transmittance_bytes(renderer);
 }

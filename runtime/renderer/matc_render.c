@@ -166,8 +166,8 @@ bool matc_renderer_set_object(MatcRenderer *r, int object, const double matrix[1
         *at = before;
         return not_displaced(r);
     }
-    return meshes == SCENE_DISPLACED_anew ? renderer_changed_meshes(r->renderer)
-                                          : renderer_changed_objects(r->renderer, object, 1);
+    return meshes == SCENE_DISPLACED_rebuilt ? renderer_changed_meshes(r->renderer)
+                                             : renderer_changed_objects(r->renderer, object, 1);
 }
 
 bool matc_renderer_set_camera(MatcRenderer *r, const double position[3], const double target[3],
@@ -303,8 +303,8 @@ bool matc_renderer_set_param(MatcRenderer *r, int material, const char *name,
     if (meshes == SCENE_DISPLACED_failed)
         return not_displaced(r);
     const bool drawn = renderer_param(r->renderer, material, name, components, count);
-    return meshes == SCENE_DISPLACED_anew ? renderer_changed_meshes(r->renderer)
-                                          : drawn || meshes == SCENE_DISPLACED_same;
+    return meshes == SCENE_DISPLACED_rebuilt ? renderer_changed_meshes(r->renderer)
+                                             : drawn || meshes == SCENE_DISPLACED_same;
 }
 
 /* -- frames */

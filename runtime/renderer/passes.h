@@ -6,7 +6,7 @@
 #include "runtime/shadow/shadow_views.h"
 
 /* Sets the stored material parameters again after a rebuild; frees them. renderer_param.c */
-void renderer_param_again(Renderer *renderer);
+void renderer_param_rebuild(Renderer *renderer);
 /* Stores the lights' properties at a rebuild; compares the current lights with them.
  * renderer_lights.c */
 bool renderer_lights_keep(Renderer *renderer);

@@ -190,7 +190,7 @@ static bool make_set(Renderer *renderer, const Scene *scene)
         renderer->set.unpack ? material_set_layout(&renderer->set, &renderer->compile) : NULL;
     if (!renderer->options.surface)
         renderer->surface = surface_model_of(layout, scene_models(scene));
-    surface_model_define(scene_models(scene), renderer->surface_lacks);
+    surface_model_define(scene_models(scene), renderer->surface_missing);
     for (int i = 0; renderer->options.opaque && i < renderer->set.count; i++) {
         renderer->set.programs[i].transparent = false;
         renderer->set.programs[i].caster = renderer->set.programs[i].cut = -1;
@@ -210,7 +210,7 @@ static bool settle_patches(Renderer *renderer, const Scene *scene)
     const SceneMaterial *material;
     renderer->triangles = wants_triangles(renderer);
     renderer->beside = shadow_methods_need(renderer).beside;
-    if (!scene->displaced || displaced_there(renderer->gl, scene->displaced_by) ||
+    if (!scene->displaced || displaced_supported(renderer->gl, scene->displaced_by) ||
         scene_displace_patches(scene))
         return true;
     const char *why = scene_displace_fault(scene, &material);
@@ -226,13 +226,13 @@ static bool make_scene(Renderer *renderer, const Scene *scene, GpuScene *before)
         return false;
     set_size(renderer, scene);
     look(renderer);
-    if (indirect_lacks_view(renderer))
+    if (indirect_missing_view(renderer))
         return gl_fail(renderer->gl, "there is nothing to see of view '%s': %s",
-                       renderer->options.view, indirect_lacks_view(renderer));
+                       renderer->options.view, indirect_missing_view(renderer));
     if (!settle_patches(renderer, scene) || !make_set(renderer, scene) ||
-        !shadow_sheet_check(renderer))
+        !plane_transmittance_check(renderer))
         return false;
-    if (shadow_sheet_needed(renderer))
+    if (plane_transmittance_needed(renderer))
         renderer->transparency = TRANSPARENCY_peeling;
     const ShadowMethod *sees = shadow_method_seen(renderer);
     renderer->triangle_id_text = sees ? sees->seen : NULL;
@@ -245,7 +245,7 @@ static bool make_scene(Renderer *renderer, const Scene *scene, GpuScene *before)
 static bool make_next(Renderer *renderer, const Scene *scene, GpuScene *before)
 {
     renderer->transparency = transparency_first(renderer);
-    renderer->parted = false;
+    renderer->tiled = false;
     while (!make_scene(renderer, scene, before)) {
         const bool again = frame_fall_back(renderer);
         forget_scene(renderer);
@@ -304,11 +304,11 @@ bool renderer_changed(Renderer *renderer, unsigned what)
         const GpuSceneSource source = frame_source(renderer);
         if (!gpu_scene_view(renderer->gl, &source, &renderer->gpu_scene))
             return false;
-        if ((renderer->gpu_scene.displaced_anew && source.triangles) ||
+        if ((renderer->gpu_scene.displaced_rebuilt && source.triangles) ||
             !frame_memory_fits(renderer))
             return renderer_changed_meshes(renderer);
-        what |= renderer->gpu_scene.displaced_anew ? FRAME_SHAPES : 0;
-        renderer->gpu_scene.displaced_anew = false;
+        what |= renderer->gpu_scene.displaced_rebuilt ? FRAME_SHAPES : 0;
+        renderer->gpu_scene.displaced_rebuilt = false;
     }
     /* the number of alpha-tested fragments may have changed */
     renderer->uncounted |= (what & (RENDERER_CAMERA | RENDERER_TIME)) != 0;
@@ -333,7 +333,7 @@ bool renderer_rebuild(Renderer *renderer, const Scene *scene)
 {
     if (!make_again(renderer, scene))
         return false;
-    renderer_param_again(renderer);
+    renderer_param_rebuild(renderer);
     return true;
 }
 

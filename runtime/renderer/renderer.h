@@ -76,7 +76,7 @@ const char *renderer_shadows_vary(Scene *scene, Keyword method, Keyword variant)
 
 /* Reports whether the view is a slot that the scene's layout does not store, and that reads as
  * 0. */
-bool renderer_lacks_view(const Renderer *renderer);
+bool renderer_missing_view(const Renderer *renderer);
 /* Returns the warnings of the scene's programs, with their places, and a warning if no object is
  * in view. From malloc. */
 char *renderer_diagnostics(const Renderer *renderer);

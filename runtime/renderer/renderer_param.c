@@ -13,7 +13,7 @@
 static bool set(Renderer *renderer, int material, const MaterialValue *value)
 {
     const GpuSceneSource source = frame_source(renderer);
-    const bool sheets = shadow_sheet_set(renderer, material, value);
+    const bool sheets = plane_transmittance_set(renderer, material, value);
     const bool nodes = radiance_param(renderer, material, value);
     indirect_forget(renderer);
     /* alpha-tested surfaces may have changed */
@@ -65,7 +65,7 @@ bool renderer_param(Renderer *renderer, int material, const char *name, const fl
     return keep(renderer, material, &value);
 }
 
-void renderer_param_again(Renderer *renderer)
+void renderer_param_rebuild(Renderer *renderer)
 {
     for (int i = 0; i < renderer->param_count; i++) {
         const RendererParam *param = &renderer->params[i];

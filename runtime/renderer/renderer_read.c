@@ -64,7 +64,7 @@ static bool read_samples(Renderer *renderer, float *rgba)
     return true; /* a scene without surfaces */
 }
 
-bool renderer_lacks_view(const Renderer *renderer)
+bool renderer_missing_view(const Renderer *renderer)
 {
     return renderer->has_reader && !renderer->reader.holds[renderer_find_slot(view_of(renderer))];
 }

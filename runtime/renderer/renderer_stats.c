@@ -78,7 +78,7 @@ static void put_glass(Text *out, const Renderer *renderer)
         fragments += glass->parts[i].fragments;
     text_format(out, "shadow    a buffer of what is transparent there: %lu bytes for %lu fragments",
                 (unsigned long)glass->bytes, fragments);
-    if (renderer->parted)
+    if (renderer->tiled)
         text_format(out, ", in %d parts, drawn again for every frame", glass->part_count);
     text_char(out, '\n');
 }
@@ -177,9 +177,9 @@ static void put_soft(Text *out, const Renderer *renderer)
         return;
     text_format(out, "shadow    soft from %d area lights, by %d points of each\n", areas,
                 points * points);
-    if (shadow_sheet_needed(renderer) || lacks_sheets(renderer))
+    if (plane_transmittance_needed(renderer) || lacks_sheets(renderer))
         text_put(out, "shadow    planes whose transparency varies cast none there\n");
-    if (renderer->parted)
+    if (renderer->tiled)
         text_put(out, "shadow    what is transparent casts none there: its lists are in parts\n");
 }
 
@@ -205,7 +205,7 @@ static void put_memory(Text *out, const Renderer *renderer)
             put_bytes(out, frame_bytes(renderer, target), frame_shared_bytes(renderer, target));
         }
     }
-    shadow_sheet_put(out, renderer);
+    plane_transmittance_put(out, renderer);
     text_format(out, "%-8s  %-24s  %d\n", "", "", frame_all_bytes(renderer));
     if (renderer->samples > 1)
         text_format(out, "%d x %d samples a pixel: each has these bytes, and the picture one\n",

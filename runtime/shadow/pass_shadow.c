@@ -78,7 +78,7 @@ static void pass_shadow_draw(Renderer *renderer)
     if (renderer->shadows->drawn)
         return;
     shadow_draw_depths(renderer);
-    if (shadow_glass_needed(renderer) && !renderer->parted)
+    if (shadow_glass_needed(renderer) && !renderer->tiled)
         shadow_draw_lists(renderer, renderer->shadows->glass.parts);
     renderer->shadows->drawn = true;
 }
@@ -96,7 +96,7 @@ static void pass_shadow_forget(Renderer *renderer)
     gl->DeleteTextures(1, &maps->planes);
     shadow_views_free(&maps->views);
     shadow_glass_delete(renderer);
-    shadow_sheet_delete(renderer);
+    plane_transmittance_delete(renderer);
     *maps = (ShadowMaps){.solid = maps->solid, .methods = maps->methods};
 }
 
@@ -105,7 +105,7 @@ static void pass_shadow_forget(Renderer *renderer)
 static void pass_shadow_place(Renderer *renderer)
 {
     renderer->shadows->seen = false;
-    shadow_sheet_place(renderer);
+    plane_transmittance_place(renderer);
 }
 
 static bool pass_shadow_changed(Renderer *renderer, unsigned what)
@@ -135,7 +135,7 @@ static bool pass_shadow_fall_back(Renderer *renderer)
 {
     if (!shadow_parts_fall_back(renderer))
         return false;
-    renderer->parted = true;
+    renderer->tiled = true;
     return true;
 }
 

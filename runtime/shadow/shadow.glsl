@@ -286,14 +286,14 @@ SHARE shadowPlanes(vec4 light, vec3 point)
 #endif
 
 #ifdef SHADOW_SHEETS
-uniform usampler2DArray shadow_sheets;
+uniform usampler2DArray plane_transmittances;
 
 // Returns the transmittance of planes with varying transparency between a light and a pixel's
-// point: shadow_sheet.c. `layer` is 1 + the light's layer, or 0.
+// point: plane_transmittance.c. `layer` is 1 + the light's layer, or 0.
 vec3 shadowSheets(int layer, ivec2 pixel)
 {
     if (layer == 0) return vec3(1.0);
-    uvec2 words = texelFetch(shadow_sheets, ivec3(pixel, layer - 1), 0).xy;
+    uvec2 words = texelFetch(plane_transmittances, ivec3(pixel, layer - 1), 0).xy;
     return vec3(words.x & 2097151u, words.x >> 21 | (words.y & 1023u) << 11, words.y >> 10) / 2097151.0;
 }
 #endif

@@ -56,28 +56,29 @@ int shadow_parts_number(const Renderer *renderer);
 /* Draws the lists of one of several tiles. */
 void shadow_parts_load(Renderer *renderer, int part);
 
-/* -- Infinite planes of varying transparency (shadow_sheet.c) ---------------------------------- */
+/* -- Infinite planes of varying transparency (plane_transmittance.c)
+ * ---------------------------------- */
 
 /* Returns whether the light has a layer of the planes' transmittance. */
-bool shadow_sheet_reads(const SceneLight *light);
+bool plane_transmittance_reads(const SceneLight *light);
 /* Returns whether some plane of varying transparency casts shadows. */
-bool shadow_sheet_needed(const Renderer *renderer);
+bool plane_transmittance_needed(const Renderer *renderer);
 /* Reports an error if the chosen transparency method cannot be combined with such planes. */
-bool shadow_sheet_check(const Renderer *renderer);
+bool plane_transmittance_check(const Renderer *renderer);
 /* Returns the bytes per pixel of the layers. */
-int shadow_sheet_bytes(const Renderer *renderer);
+int plane_transmittance_bytes(const Renderer *renderer);
 /* Appends a line for --stats. */
-void shadow_sheet_put(Text *out, const Renderer *renderer);
-bool shadow_sheet_make(Renderer *renderer);
+void plane_transmittance_put(Text *out, const Renderer *renderer);
+bool plane_transmittance_make(Renderer *renderer);
 /* Updates uniforms after a change of the camera, lights or planes. */
-void shadow_sheet_change(const Renderer *renderer);
+void plane_transmittance_change(const Renderer *renderer);
 /* Updates uniforms for another tile. */
-void shadow_sheet_place(const Renderer *renderer);
+void plane_transmittance_place(const Renderer *renderer);
 /* Sets a uniform of a material's programs. False: none has that uniform. */
-bool shadow_sheet_set(const Renderer *renderer, int material, const MaterialValue *value);
+bool plane_transmittance_set(const Renderer *renderer, int material, const MaterialValue *value);
 /* Draws the layers, for surfaces at the depths of the texture `depth`. */
-void shadow_sheet_draw(const Renderer *renderer, GLuint depth);
-void shadow_sheet_delete(Renderer *renderer);
+void plane_transmittance_draw(const Renderer *renderer, GLuint depth);
+void plane_transmittance_delete(Renderer *renderer);
 
 /* -- Views, tables and the lighting ------------------------------------------------------------ */
 

@@ -23,7 +23,7 @@ typedef struct {
     bool full; /* the lists of all texels exceed the memory limit */
 } ShadowGlass;
 
-/* Transmittance of infinite planes if it varies: shadow_sheet.c. */
+/* Transmittance of infinite planes if it varies: plane_transmittance.c. */
 typedef struct {
     Material *materials;    /* programs by layer and sheet */
     int layer_count, count; /* number of lights, number of sheets */

@@ -174,7 +174,7 @@ bool shadow_make_tables(Renderer *renderer)
     const ShadowMaps *maps = renderer->shadows;
     return (!shadow_has_maps(renderer) || maps->table || write_views(renderer)) &&
            (!shadow_has_planes(renderer) || maps->planes || write_planes(renderer)) &&
-           shadow_sheet_make(renderer);
+           plane_transmittance_make(renderer);
 }
 
 bool shadow_change(Renderer *renderer, bool drawn_again)
@@ -193,7 +193,7 @@ bool shadow_change(Renderer *renderer, bool drawn_again)
         return gl_fail(renderer->gl,
                        "the lights' shadows take %d maps, not %d: this is another scene",
                        maps->views.count, before);
-    shadow_sheet_change(renderer);
+    plane_transmittance_change(renderer);
     return (!maps->table || write_views(renderer)) && (!maps->planes || write_planes(renderer));
 }
 
@@ -218,7 +218,7 @@ void shadow_put_lights(const Renderer *renderer, const int counts[VIEW_SPACE_SEC
         places[section] = texels + view_space_texels(counts, section);
     for (int i = 0, layer = 0; i < scene->light_count; i++) {
         const int section = view_space_section(&scene->lights[i], shadows);
-        layer += shadow_sheet_reads(&scene->lights[i]);
+        layer += plane_transmittance_reads(&scene->lights[i]);
         if (section == VIEW_SPACE_PLAIN || section == VIEW_SPACE_SECTIONS)
             continue;
         float(*next)[4] = places[section];
@@ -355,26 +355,26 @@ bool shadow_parts_make(Renderer *renderer)
 {
     const ShadowPart whole = shadow_glass_whole(renderer);
     return !shadow_glass_needed(renderer) ||
-           (add(renderer, &whole) && (renderer->parted || make_whole(renderer, &whole)));
+           (add(renderer, &whole) && (renderer->tiled || make_whole(renderer, &whole)));
 }
 
 bool shadow_parts_count(Renderer *renderer)
 {
-    return renderer->parted ? divide(renderer) : count_whole(renderer);
+    return renderer->tiled ? divide(renderer) : count_whole(renderer);
 }
 
 bool shadow_parts_fall_back(const Renderer *renderer)
 {
-    return renderer->shadows->glass.full && !renderer->parted;
+    return renderer->shadows->glass.full && !renderer->tiled;
 }
 
 int shadow_parts_number(const Renderer *renderer)
 {
-    return renderer->parted ? renderer->shadows->glass.part_count : 1;
+    return renderer->tiled ? renderer->shadows->glass.part_count : 1;
 }
 
 void shadow_parts_load(Renderer *renderer, int part)
 {
-    if (renderer->parted)
+    if (renderer->tiled)
         shadow_draw_lists(renderer, &renderer->shadows->glass.parts[part]);
 }

@@ -34,12 +34,12 @@ static void add_piece(ShadowText *made, const char *piece)
 static bool define(const Renderer *renderer, bool nearest, char defined[SHADOW_TEXT_CHARS])
 {
     const bool maps = shadow_has_maps(renderer), planes = shadow_has_planes(renderer);
-    const bool glass = shadow_glass_needed(renderer), sheets = shadow_sheet_needed(renderer);
+    const bool glass = shadow_glass_needed(renderer), sheets = plane_transmittance_needed(renderer);
     const int panes = planes ? shadow_count_panes(renderer) : 0;
     if (glass || panes)
         add(defined, "#define SHADOW_COLORED\n");
     if (glass)
-        add(defined, "#define SHADOW_GLASS\n%s", renderer->parted ? "#define SHADOW_PARTS\n" : "");
+        add(defined, "#define SHADOW_GLASS\n%s", renderer->tiled ? "#define SHADOW_PARTS\n" : "");
     if (maps)
         add(defined, "#define SHADOW_MAPS\n#define SHADOW_SIZE %d\n#define SHADOW_FILTER %d\n",
             renderer->scene->shadow_size, renderer->scene->shadow_filter);
@@ -138,7 +138,7 @@ void shadow_set(const Renderer *renderer, int unit, ScreenPass *pass)
     screen_pass_sampler(pass, "shadow_maps", unit + MAPS_UNIT);
     screen_pass_sampler(pass, "shadow_views", unit + VIEWS_UNIT);
     screen_pass_sampler(pass, "shadow_planes", unit + PLANES_UNIT);
-    screen_pass_sampler(pass, "shadow_sheets", unit + SHEETS_UNIT);
+    screen_pass_sampler(pass, "plane_transmittances", unit + SHEETS_UNIT);
     screen_pass_sampler(pass, "shadow_seen", unit + SEEN_UNIT);
     for (const ShadowMethod *const *row = shadow_methods_of(renderer); *row; row++) {
         if ((*row)->sampler)

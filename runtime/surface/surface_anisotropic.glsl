@@ -9,7 +9,7 @@
 // mean of g^2 is 1, that is, the width roughness^2.
 //   Worked example, strength 0.5 and roughness 0.5: a = 0.25 sqrt(2 / 1.25) = 0.316, b = 0.158, k =
 //   0.6; viewed along the direction at 60 degrees g is 1.2, across it 0.74.
-#if defined(SURFACE_HAS_anisotropy) && !defined(SURFACE_LACKS_anisotropy)
+#if defined(SURFACE_HAS_anisotropy) && !defined(SURFACE_MISSING_anisotropy)
 #define LIT_ANISOTROPY
 #endif
 

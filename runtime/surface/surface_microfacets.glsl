@@ -1,19 +1,19 @@
 // Microfacet reflection, coats and fuzz: lobes, and polynomials that approximate their integrals.
 // tests/fits/principled.c prints the polynomials; test_principled.c and test_principled_lobes.c
 // compare them with the integrals.
-#if defined(SURFACE_HAS_coat) && !defined(SURFACE_LACKS_coat)
+#if defined(SURFACE_HAS_coat) && !defined(SURFACE_MISSING_coat)
 #define LIT_COAT
-#if defined(SURFACE_HAS_coatNormal) && !defined(SURFACE_LACKS_coatNormal)
+#if defined(SURFACE_HAS_coatNormal) && !defined(SURFACE_MISSING_coatNormal)
 #define LIT_COAT_NORMAL
 #endif
 #endif
-#if defined(SURFACE_HAS_fuzz) && !defined(SURFACE_LACKS_fuzz)
+#if defined(SURFACE_HAS_fuzz) && !defined(SURFACE_MISSING_fuzz)
 #define LIT_FUZZ
 #endif
-#if defined(SURFACE_HAS_transmission) && !defined(SURFACE_LACKS_transmission)
+#if defined(SURFACE_HAS_transmission) && !defined(SURFACE_MISSING_transmission)
 #define LIT_CLEAR
 #endif
-#if defined(SURFACE_HAS_film) && !defined(SURFACE_LACKS_film)
+#if defined(SURFACE_HAS_film) && !defined(SURFACE_MISSING_film)
 #define LIT_FILM
 #endif
 #ifdef LIT_FILM
@@ -21,10 +21,10 @@
 #else
 #define TONE float
 #endif
-#if defined(SURFACE_HAS_diffuseTransparency) && !defined(SURFACE_LACKS_diffuseTransparency)
+#if defined(SURFACE_HAS_diffuseTransparency) && !defined(SURFACE_MISSING_diffuseTransparency)
 #define LIT_BEHIND
 #endif
-#if defined(SURFACE_HAS_diffuseRoughness) && !defined(SURFACE_LACKS_diffuseRoughness)
+#if defined(SURFACE_HAS_diffuseRoughness) && !defined(SURFACE_MISSING_diffuseRoughness)
 #define LIT_GRAIN
 #endif
 #if defined(LIT_COAT) || defined(LIT_FUZZ)

@@ -56,5 +56,5 @@ void surface_model_define(unsigned models, char text[SURFACE_MODEL_DEFINITIONS])
     for (int lobe = 0; lobe < LOBE_COUNT; lobe++)
         if (!(models & MODEL_LOBE(lobe)))
             end += snprintf(end, SURFACE_MODEL_DEFINITIONS - (size_t)(end - text),
-                            "#define SURFACE_LACKS_%s\n", lobe_table[lobe].name);
+                            "#define SURFACE_MISSING_%s\n", lobe_table[lobe].name);
 }

@@ -58,7 +58,7 @@ extern const SurfaceModel surface_model_phong, surface_model_principled;
 /* Returns the model of the surfaces in a layout; a model with both if the layout has several and
  * `models`, bits 1 << Model, too. Phong without a layout. */
 const SurfaceModel *surface_model_of(const LayoutRow *layout, unsigned models);
-/* Defines SURFACE_LACKS_<lobe> for each lobe that no material has, by bits as above and
+/* Defines SURFACE_MISSING_<lobe> for each lobe that no material has, by bits as above and
  * MODEL_LOBE, so that programs omit it. */
 void surface_model_define(unsigned models, char text[SURFACE_MODEL_DEFINITIONS]);
 #endif

@@ -206,7 +206,9 @@ static SceneDisplaced displace_objects(Scene *scene, int material, int first, in
         changed = settle(scene, &k, fine);
     hash_index_free(&k.index);
     free(k.next);
-    return !fine ? SCENE_DISPLACED_failed : changed ? SCENE_DISPLACED_anew : SCENE_DISPLACED_same;
+    return !fine     ? SCENE_DISPLACED_failed
+           : changed ? SCENE_DISPLACED_rebuilt
+                     : SCENE_DISPLACED_same;
 }
 
 /* Finds the shapes of objects before displacement; returns the number of displaced objects. */

@@ -17,7 +17,7 @@ void scene_displace_free(Scene *scene);
 typedef enum {
     SCENE_DISPLACED_none,
     SCENE_DISPLACED_same,
-    SCENE_DISPLACED_anew,
+    SCENE_DISPLACED_rebuilt,
     SCENE_DISPLACED_failed
 } SceneDisplaced;
 /* Updates meshes after `count` objects from `first` on have got other matrices. */

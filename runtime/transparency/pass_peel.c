@@ -130,7 +130,7 @@ static bool pass_peel_make(Renderer *renderer)
         !transparency_units(renderer, renderer->glass->peel_units) || !number_objects(renderer))
         return false;
     screen_pass_sampler(&renderer->glass->peel, "peel_keys", LIGHTING_FREE_UNIT);
-    if (pass_tools_are_there(renderer))
+    if (pass_tools_enabled(renderer))
         screen_pass_sampler(&renderer->picture->tools.veil, "peel_keys", LIGHTING_FREE_UNIT);
     transparency_set(renderer, "peel_depth", (float)renderer->glass->peel_units[0]);
     transparency_set(renderer, "peel_behind", (float)renderer->glass->peel_units[1]);

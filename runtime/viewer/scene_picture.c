@@ -234,7 +234,7 @@ bool scene_pictures_show(ScenePictures *p, const Scene *scene)
     p->scene = scene;
     if (!renderer_set_scene(p->renderer, scene))
         return false;
-    return !renderer_lacks_view(p->renderer) || !p->options.look ||
+    return !renderer_missing_view(p->renderer) || !p->options.look ||
            gl_fail(p->gl,
                    "the layout does not store that slot; --layout=integer stores all of them");
 }

@@ -83,7 +83,7 @@ int bisection_bodies_open(void **state)
     BisectionBodies *with = calloc(1, sizeof *with);
     with->gl = frame_context();
     with->store = store_new(with->gl);
-    if (!with->store || !displaced_there(with->gl, KEYWORD_Displacing_bisection))
+    if (!with->store || !displaced_supported(with->gl, KEYWORD_Displacing_bisection))
         return -1;
     for (int i = 0; i < 2; i++)
         with->kept[i] =

@@ -61,7 +61,7 @@ typedef struct {
     BisectionLights lights;
 } Bisection;
 
-bool bisection_there(const GlContext *gl);
+bool bisection_supported(const GlContext *gl);
 /* Makes programs and buffers as `own`, without slots for leaves. False: failed, see the
  * context's error. */
 bool bisection_make(const DisplacedMaking *making, Displaced *made);

@@ -22,7 +22,7 @@ enum {
 _Static_assert(sizeof(MeshCaptured) == BISECTION_ROW * sizeof(float),
                "a row of the layout is a corner of the mesh");
 
-bool bisection_there(const GlContext *gl)
+bool bisection_supported(const GlContext *gl)
 {
     GLint blocks = 0;
     if (!gl->DispatchCompute || !gl->DispatchComputeIndirect || !gl->MemoryBarrier ||

@@ -348,5 +348,9 @@ uint64_t *displaced_bisection_leaves(const Displaced *d, int *count)
     return leaves;
 }
 
-const DisplacedMethod displaced_bisection = {
-    KEYWORD_Displacing_bisection, true, bisection_there, bisection_make, write, bisection_forget};
+const DisplacedMethod displaced_bisection = {KEYWORD_Displacing_bisection,
+                                             true,
+                                             bisection_supported,
+                                             bisection_make,
+                                             write,
+                                             bisection_forget};

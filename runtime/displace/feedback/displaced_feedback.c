@@ -33,7 +33,7 @@ typedef struct {
 
 static bool there(const GlContext *gl)
 {
-    return displaced_geometry_there(gl) && gl->VertexAttribIPointer;
+    return displaced_geometry_supported(gl) && gl->VertexAttribIPointer;
 }
 
 /* -- programs and buffers */

@@ -9,7 +9,7 @@
  * displaced_tessellation.c. */
 enum { GEOMETRY_COMPONENTS = sizeof(MeshCaptured) / sizeof(float), SOFTWARE_POINTS = 1 << 15 };
 
-bool displaced_geometry_there(const GlContext *gl)
+bool displaced_geometry_supported(const GlContext *gl)
 {
     GLint buffers = 0;
     gl->GetIntegerv(GL_MAX_GEOMETRY_SHADER_STORAGE_BLOCKS, &buffers);
@@ -120,4 +120,4 @@ static bool write(Displaced *d, const DisplacedView *view, Mesh *mesh)
 }
 
 const DisplacedMethod displaced_geometry = {
-    KEYWORD_Displacing_geometry, false, displaced_geometry_there, make, write, NULL};
+    KEYWORD_Displacing_geometry, false, displaced_geometry_supported, make, write, NULL};

@@ -108,4 +108,4 @@ static bool write(Displaced *d, const DisplacedView *view, Mesh *mesh)
 }
 
 const DisplacedMethod displaced_points = {
-    KEYWORD_Displacing_points, true, displaced_geometry_there, make, write, NULL};
+    KEYWORD_Displacing_points, true, displaced_geometry_supported, make, write, NULL};

@@ -78,7 +78,7 @@ static void add_surface(const Renderer *renderer, bool again, const char *define
 {
     screen_pass_add(text, indirect_surface_text(renderer));
     if (again) {
-        screen_pass_add(text, renderer->surface_lacks);
+        screen_pass_add(text, renderer->surface_missing);
         screen_pass_add(text, renderer->surface->text);
         screen_pass_add_all(text, renderer->surface->more, SURFACE_MODEL_MORE);
     }

@@ -83,7 +83,7 @@ int indirect_view_components(const char *view)
     return 0;
 }
 
-const char *indirect_lacks_view(const Renderer *renderer)
+const char *indirect_missing_view(const Renderer *renderer)
 {
     const char *view = renderer->options.view;
     if (!view || !indirect_view_components(view) || indirect_is(renderer))

@@ -17,7 +17,7 @@ int indirect_view_components(const char *view);
 bool indirect_shows(const Renderer *renderer, const char *view);
 /* Returns the reason why the scene has nothing to show in a view of indirect light; NULL if the
  * view can be shown. */
-const char *indirect_lacks_view(const Renderer *renderer);
+const char *indirect_missing_view(const Renderer *renderer);
 /* Reports whether light bounces more than once by screen-space rays, each bounce by a run of the
  * passes. */
 bool indirect_is_repeated(const Renderer *renderer);

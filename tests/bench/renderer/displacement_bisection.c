@@ -53,7 +53,7 @@ static bool make(Bisected *b, int triangles)
     b->compile.pixels = true;
     b->document = scene_read("scene.yaml", text, strlen(text), &b->compile, &b->scene);
     b->store = store_new(b->gl);
-    return b->scene && b->store && displaced_there(b->gl, KEYWORD_Displacing_bisection) &&
+    return b->scene && b->store && displaced_supported(b->gl, KEYWORD_Displacing_bisection) &&
            mesh_make_captured(b->gl, &b->mesh) &&
            displaced_make(b->store, b->scene, &b->compile, b->scene->objects[0].mesh,
                           &b->displaced);

@@ -118,7 +118,7 @@ bool displacement_speed(GlContext *gl, bool timed, int triangles)
            "%12s %12s\n",
            "method", "triangles", "displaced", "drawn", "both");
     for (size_t i = 0; fine && i < sizeof methods / sizeof *methods; i++)
-        fine = (methods[i].driver && !displaced_there(gl, methods[i].driver)) ||
+        fine = (methods[i].driver && !displaced_supported(gl, methods[i].driver)) ||
                measure_method(gl, timed, (int)i, triangles);
     return fine;
 }

@@ -304,7 +304,7 @@ static void changes_are_what_a_new_renderer_draws(void **state)
             assert_same(renderer, gl, scene, &draw);
         }
         assert_true(scene_displace_param(scene, scene->objects[0].material, "height", &height, 1) ==
-                    SCENE_DISPLACED_anew);
+                    SCENE_DISPLACED_rebuilt);
         assert_true(renderer_changed_meshes(renderer));
         assert_same(renderer, gl, scene, &draw);
         renderer_close(renderer);

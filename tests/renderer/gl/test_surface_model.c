@@ -151,7 +151,7 @@ static void lobes_are_asked_for(void **state)
         const char *name = lobe_table[lobe].name;
         char line[128];
         int found = 0;
-        snprintf(line, sizeof line, "#if defined(SURFACE_HAS_%s) && !defined(SURFACE_LACKS_%s)\n",
+        snprintf(line, sizeof line, "#if defined(SURFACE_HAS_%s) && !defined(SURFACE_MISSING_%s)\n",
                  name, name);
         found += strstr(surface_model_principled.text, line) != NULL;
         for (int i = 0; i < SURFACE_MODEL_MORE && surface_model_principled.more[i]; i++)

@@ -384,9 +384,9 @@ static void white_sends_all(void **state)
 static void layers_of_no_weight_change_nothing(void **state)
 {
     (void)state;
-    static const char *const lacks[] = {"#define SURFACE_LACKS_coat\n#define SURFACE_LACKS_fuzz\n",
-                                        "#define SURFACE_LACKS_fuzz\n",
-                                        "#define SURFACE_LACKS_coat\n"};
+    static const char *const lacks[] = {
+        "#define SURFACE_MISSING_coat\n#define SURFACE_MISSING_fuzz\n",
+        "#define SURFACE_MISSING_fuzz\n", "#define SURFACE_MISSING_coat\n"};
     static float all[SIDE * SIDE][4], alone[SIDE * SIDE][4];
     double worst = 0;
     int seen = 0;

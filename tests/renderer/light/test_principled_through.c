@@ -130,7 +130,7 @@ static void light_from_behind_is_an_integral(void **state)
     static float reported[SIDE * SIDE][4];
     double worst = 0, whole = 0;
     GlContext *gl = frame_context();
-    run(gl, "#define SURFACE_LACKS_coat\n", lobes, reported);
+    run(gl, "#define SURFACE_MISSING_coat\n", lobes, reported);
     gl_close(gl);
     for (int i = 0; i < SIDE * SIDE; i += 3) {
         const double a = pow(rough_of(i / SIDE), 2), f0 = .2 * varied(i, .137),
@@ -166,12 +166,12 @@ static void holes_reflect_nothing(void **state)
     (void)state;
     static float reported[SIDE * SIDE][4];
     GlContext *gl = frame_context();
-    run(gl, "#define SURFACE_LACKS_diffuseTransparency\n", holes, reported);
+    run(gl, "#define SURFACE_MISSING_diffuseTransparency\n", holes, reported);
     assert_true(fabs((double)reported[0][1] - .5) < 1e-6 &&
                 fabs((double)reported[0][0] - (.5 + .4 * .96)) < 1e-3);
     assert_true(fabs((double)reported[0][2] - .5 * (.04 + .2 * .96)) < 1e-3);
     /* all of it is a hole then */
-    run(gl, "#define SURFACE_LACKS_transmission\n#define SURFACE_LACKS_diffuseTransparency\n",
+    run(gl, "#define SURFACE_MISSING_transmission\n#define SURFACE_MISSING_diffuseTransparency\n",
         holes, reported);
     gl_close(gl);
     assert_true(fabs((double)reported[0][0] - .9) < 1e-6 &&

@@ -251,10 +251,10 @@ static void thresholds_and_changes(void **state)
         assert_true(fabs(is - size * (with ? .25 : .5)) < 1e-4);
         assert_true(shape_body(&scene->meshes[scene->objects[1].mesh].shape) != SHAPE_BODY_none);
         assert_int_equal(scene_displace_param(scene, 0, "heights", (double[]){.05, .3, .5, 1.5}, 4),
-                         SCENE_DISPLACED_anew);
+                         SCENE_DISPLACED_rebuilt);
         assert_true(fabs(volume_of(shape_of(scene)) - is - size * .75) < 1e-4);
         assert_int_equal(scene_displace_param(scene, 0, "heights", (double[]){.05, .3, .5, .25}, 4),
-                         SCENE_DISPLACED_anew);
+                         SCENE_DISPLACED_rebuilt);
         assert_true(fabs(volume_of(shape_of(scene)) - (with ? 0 : size * .25)) < 1e-4);
         forget(scene, document);
     }

@@ -1,8 +1,8 @@
 /* Shadows of infinite planes with varying transparency, called sheets. The ray from a pixel's
  * surface point to a light intersects a sheet, and the material's value there is the
  * transmittance. The plane's program, compiled for a layout of that slot only, is drawn over all
- * pixels, with the view ray replaced by one through the intersection (shadow_sheet.glsl). The
- * transmittances of all sheets in between are multiplied, in a texture layer for each light,
+ * pixels, with the view ray replaced by one through the intersection (plane_transmittance.glsl).
+ * The transmittances of all sheets in between are multiplied, in a texture layer for each light,
  * which the lighting passes read.
  *
  * Since a texel has one depth, transparent surfaces are rendered by depth peeling if there are
@@ -22,7 +22,7 @@ enum { TEXEL_BYTES = 8, IMAGE_UNIT = 0 };
 static bool is_sheet(const GpuScenePlane *plane) { return plane->program->caster >= 0; }
 
 /* Returns whether the light has a layer: an area light has many points, and no layer. */
-bool shadow_sheet_reads(const SceneLight *light)
+bool plane_transmittance_reads(const SceneLight *light)
 {
     return scene_light_casts(light) && light_from(light) != LIGHT_FROM_extent;
 }
@@ -31,11 +31,11 @@ static int count_layers(const Renderer *renderer)
 {
     int count = 0;
     for (int i = 0; i < renderer->scene->light_count; i++)
-        count += shadow_sheet_reads(&renderer->scene->lights[i]);
+        count += plane_transmittance_reads(&renderer->scene->lights[i]);
     return count;
 }
 
-bool shadow_sheet_needed(const Renderer *renderer)
+bool plane_transmittance_needed(const Renderer *renderer)
 {
     bool needed = false;
     for (int i = 0; i < renderer->set.count && count_layers(renderer); i++)
@@ -44,10 +44,10 @@ bool shadow_sheet_needed(const Renderer *renderer)
     return needed;
 }
 
-bool shadow_sheet_check(const Renderer *renderer)
+bool plane_transmittance_check(const Renderer *renderer)
 {
     const char *way = renderer->options.transparency;
-    return !shadow_sheet_needed(renderer) || !way || strcmp(way, "lists") != 0 ||
+    return !plane_transmittance_needed(renderer) || !way || strcmp(way, "lists") != 0 ||
            gl_fail(renderer->gl,
                    "a plane whose transparency varies casts shadows, by which lists of "
                    "fragments are not "
@@ -62,16 +62,17 @@ static int count_sheets(const Renderer *renderer)
     return count;
 }
 
-int shadow_sheet_bytes(const Renderer *renderer)
+int plane_transmittance_bytes(const Renderer *renderer)
 {
-    return shadow_sheet_needed(renderer) ? TEXEL_BYTES * count_layers(renderer) : 0;
+    return plane_transmittance_needed(renderer) ? TEXEL_BYTES * count_layers(renderer) : 0;
 }
 
-void shadow_sheet_put(Text *out, const Renderer *renderer)
+void plane_transmittance_put(Text *out, const Renderer *renderer)
 {
     if (renderer->shadows->sheets.layers)
         text_format(out, "%-8s  %-24s  %d: what planes let through of %d lights\n", "sheets",
-                    "RG32UI", shadow_sheet_bytes(renderer), renderer->shadows->sheets.layer_count);
+                    "RG32UI", plane_transmittance_bytes(renderer),
+                    renderer->shadows->sheets.layer_count);
 }
 
 /* -- resources */
@@ -117,7 +118,7 @@ static bool make_material(Renderer *renderer, const PassProgram *program, Materi
         return gl_fail(renderer->gl, "out of memory");
     const ProgramText text = {.vertex = {head, screen_text},
                               .fragment = {head, "#define main surfaceMain\n", own, "#undef main\n",
-                                           render_text_shadow_sheet}};
+                                           render_text_plane_transmittance}};
     const bool done = material_make(renderer->store, program->program, &text, made) ||
                       material_set_fail(renderer->gl, renderer->scene, program->material);
     free(own);
@@ -234,24 +235,24 @@ static void set_numbers(const Renderer *renderer, int layer, const SceneLight *l
     }
 }
 
-void shadow_sheet_change(const Renderer *renderer)
+void plane_transmittance_change(const Renderer *renderer)
 {
     if (!renderer->shadows->sheets.materials)
         return;
     for (int i = 0, layer = 0; i < renderer->scene->light_count; i++)
-        if (shadow_sheet_reads(&renderer->scene->lights[i]))
+        if (plane_transmittance_reads(&renderer->scene->lights[i]))
             set_numbers(renderer, layer++, &renderer->scene->lights[i]);
-    shadow_sheet_place(renderer);
+    plane_transmittance_place(renderer);
 }
 
-void shadow_sheet_place(const Renderer *renderer)
+void plane_transmittance_place(const Renderer *renderer)
 {
     const ShadowSheets *sheets = &renderer->shadows->sheets;
     for (int i = 0; sheets->materials && i < sheets->layer_count * sheets->count; i++)
         set(&sheets->materials[i], "sheet_ray", 4, renderer->space.ray);
 }
 
-bool shadow_sheet_set(const Renderer *renderer, int material, const MaterialValue *value)
+bool plane_transmittance_set(const Renderer *renderer, int material, const MaterialValue *value)
 {
     const ShadowSheets *sheets = &renderer->shadows->sheets;
     bool found = false;
@@ -266,22 +267,22 @@ bool shadow_sheet_set(const Renderer *renderer, int material, const MaterialValu
     return found;
 }
 
-bool shadow_sheet_make(Renderer *renderer)
+bool plane_transmittance_make(Renderer *renderer)
 {
     ShadowSheets *sheets = &renderer->shadows->sheets;
     int units[2];
-    if (!shadow_sheet_needed(renderer) || sheets->materials)
+    if (!plane_transmittance_needed(renderer) || sheets->materials)
         return true;
     sheets->count = count_sheets(renderer);
     sheets->layer_count = count_layers(renderer);
     if (!transparency_units(renderer, units) || !make_layers(renderer) || !make_materials(renderer))
         return false;
     sheets->depth_unit = units[0];
-    shadow_sheet_change(renderer);
+    plane_transmittance_change(renderer);
     return true;
 }
 
-void shadow_sheet_delete(Renderer *renderer)
+void plane_transmittance_delete(Renderer *renderer)
 {
     ShadowSheets *sheets = &renderer->shadows->sheets;
     for (int i = 0; sheets->materials && i < sheets->layer_count * sheets->count; i++)
@@ -293,7 +294,7 @@ void shadow_sheet_delete(Renderer *renderer)
 
 /* -- drawing */
 
-void shadow_sheet_draw(const Renderer *renderer, GLuint depth)
+void plane_transmittance_draw(const Renderer *renderer, GLuint depth)
 {
     static const GLenum none = GL_NONE;
     const GlContext *gl = renderer->gl;
