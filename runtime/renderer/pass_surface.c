@@ -88,8 +88,8 @@ static void pass_surface_request(const Renderer *renderer, FramePlanPass *row)
 }
 
 const FramePass pass_surface = {
-    .plan = {"surface",
-             .fills = FRAME_BIT(depth) | FRAME_BIT(gbuffer) | FRAME_BIT(triangle_id) | FRAME_BIT(traced)},
+    .plan = {"surface", .fills = FRAME_BIT(depth) | FRAME_BIT(gbuffer) | FRAME_BIT(triangle_id) |
+                                 FRAME_BIT(traced)},
     .when = "always: what is not drawn is clear",
     .needed = pass_surface_needed,
     .request = pass_surface_request,
