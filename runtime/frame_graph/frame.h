@@ -39,8 +39,8 @@ typedef struct FrameVoxels FrameVoxels;             /* indirect/voxels/voxels.h 
 typedef struct FrameRadiance FrameRadiance;         /* indirect/radiance/radiance.h */
 typedef struct FrameIndirect FrameIndirect;         /* indirect/settings/indirect_state.h */
 typedef struct FramePositions FramePositions;       /* indirect/screen/pass_positions.h */
-typedef struct FramePost FramePost;                 /* picture/post_state.h */
-typedef struct FrameTransparency FrameTransparency; /* glass/transparency_state.h */
+typedef struct FramePost FramePost;                 /* post/post_state.h */
+typedef struct FrameTransparency FrameTransparency; /* transparency/transparency_state.h */
 
 enum { FRAME_RETIRED_MAX = 32 };
 

@@ -17,9 +17,9 @@ typedef enum {
     FRAME_TARGET_radiance,    /* radiance cache, in buffers: pass_radiance.c owns them */
     FRAME_TARGET_triangle_id, /* triangle ids, or slopes of triangles */
     FRAME_TARGET_lists,       /* per-pixel linked lists, in a buffer */
-    FRAME_TARGET_far,         /* far-field light in a buffer: sums of the pass gather */
+    FRAME_TARGET_far,         /* far-field light in a buffer: sums of the pass light_cluster */
     FRAME_TARGET_light,
-    FRAME_TARGET_rays,     /* as `open`, at the resolution of the rays */
+    FRAME_TARGET_rays,     /* as `ao`, at the resolution of the rays */
     FRAME_TARGET_temporal, /* temporal accumulation: pass_temporal.c owns its textures */
     FRAME_TARGET_denoise,  /* denoised along rows */
     FRAME_TARGET_ao,       /* ambient occlusion and indirect light */

@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* Formats into `error`, truncated to `room` bytes; `error` may be NULL. Returns false, for
+/* Formats into `error`, truncated to `capacity` bytes; `error` may be NULL. Returns false, for
  * guards such as `return message_fail(...)`. */
 __attribute__((format(printf, 3, 4))) bool message_fail(char *error, size_t capacity,
                                                         const char *format, ...);

@@ -34,7 +34,7 @@ typedef struct {
     TransparencyText transparency;
     TriangleIdTextParts seen;
     int *kind_of, *row_of;        /* by material; kind_of -1: not yet used */
-    int *used_as[GPU_SCENE_USES]; /* by material, index in Cache.casters; -1: no such program */
+    int *used_as[GPU_SCENE_USES]; /* by material, index in GpuScene.casters; -1: no such program */
 } Maker;
 
 /* Returns the element's number, or -1. */
@@ -62,7 +62,7 @@ static Key mesh_key(const Maker *m, const SceneObject *object)
                                       : key_of_bytes(parts, sizeof parts);
 }
 
-/* Moves the mesh with that key out of the previous cache. */
+/* Moves the mesh with that key out of the previous GPU scene. */
 static bool take_mesh(Maker *m, Key key)
 {
     GpuScene *before = m->before, *gpu_scene = m->gpu_scene;

@@ -28,10 +28,10 @@ typedef struct {
 
 /* One draw call: objects of one kind, one mesh, and one winding of its triangles. */
 typedef struct {
-    int kind, mesh;       /* indices in Cache.kinds and Cache.meshes */
+    int kind, mesh;       /* indices in GpuScene.kinds and GpuScene.meshes */
     bool mirrored;        /* negative determinant: the winding is flipped */
-    int first, count;     /* range in Cache.places, and in the first part of Cache.list */
-    int first_seen, seen; /* range of the objects in view, in the second part of Cache.list */
+    int first, count;     /* range in GpuScene.places, and in the first part of GpuScene.list */
+    int first_seen, seen; /* range of the objects in view, in the second part of GpuScene.list */
     bool solid;           /* all are closed and viewed from outside: back faces are culled */
 } Drawable;
 
@@ -39,10 +39,10 @@ typedef struct {
 typedef struct {
     int object;          /* index in Scene.objects */
     int kind, mesh, row; /* `row`: index of the object's constants in the kind's buffer */
-    /* Index in Cache.casters of the program for shadow maps; -1: drawn by depth alone, or casts
+    /* Index in GpuScene.casters of the program for shadow maps; -1: drawn by depth alone, or casts
      * no shadow. */
     int caster;
-    /* Index in Cache.casters of the program that draws an alpha-tested surface into voxels; -1:
+    /* Index in GpuScene.casters of the program that draws an alpha-tested surface into voxels; -1:
      * not alpha-tested. */
     int cut;
     GLuint program;
@@ -63,7 +63,7 @@ typedef struct {
     uint32_t place;
 } GpuSceneOrder;
 
-enum { GPU_SCENE_LISTS = 3 /* number of lists of places in one buffer; see Cache.list */ };
+enum { GPU_SCENE_LISTS = 3 /* number of lists of places in one buffer; see GpuScene.list */ };
 
 typedef struct {
     bool instances; /* the driver supports instancing */
@@ -130,8 +130,8 @@ typedef struct {
     bool lines;                    /* surfaces are drawn as lines */
 } GpuSceneSource;
 
-/* Makes a cache, and moves meshes that `before` (or NULL) already has. Returns false on failure,
- * with *made empty; see the context's error. */
+/* Makes a GPU scene, and moves meshes that `before` (or NULL) already has. Returns false on
+ * failure, with *made empty; see the context's error. */
 bool gpu_scene_make(Store *store, const GpuSceneSource *source, GpuScene *before, GpuScene *made);
 /* Frees the GPU scene and leaves it empty; safe on an empty one. */
 void gpu_scene_delete(GlContext *gl, GpuScene *gpu_scene);

@@ -1,4 +1,4 @@
-/* Shadow casters of a cache, drawn for each light's view. Opaque casters are grouped by mesh
+/* Shadow casters of a GPU scene, drawn for each light's view. Opaque casters are grouped by mesh
  * alone. */
 #include "runtime/gpu_scene/gpu_scene_trace.h"
 #include "runtime/gpu_scene/instances.h"

@@ -1,4 +1,4 @@
-/* Meshes of a cache: of solids, of files, and of surfaces displaced on the GPU. */
+/* Meshes of a GPU scene: of solids, of files, and of surfaces displaced on the GPU. */
 #include "runtime/gpu_scene/gpu_scene.h"
 #include "runtime/scene/scene_matrix.h"
 #include "runtime/tessellate/scene_solid.h"

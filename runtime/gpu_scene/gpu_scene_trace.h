@@ -18,7 +18,7 @@ void gpu_scene_trace_rays(GlContext *gl, const GpuSceneSource *source, GpuScene 
 void gpu_scene_trace_surfaces(GlContext *gl, const GpuSceneSource *source, GpuScene *gpu_scene,
                               GLuint met);
 
-/* Instances of a mesh in a shadow map: a range of Cache.list. */
+/* Instances of a mesh in a shadow map: a range of GpuScene.list. */
 typedef struct {
     const GpuSceneLight *light;
     int first, count;

@@ -1,4 +1,4 @@
-/* Parts of a cache that depend on the positions of objects and on the camera: order, matrices,
+/* Parts of a GPU scene that depend on the positions of objects and on the camera: order, matrices,
  * visibility. */
 #include "runtime/gpu_scene/gpu_scene_trace.h"
 #include "runtime/gpu_scene/instances.h"

@@ -1,7 +1,7 @@
 // Blocks of pixels, and their data between dispatches, laid out by far.layout.def: the groups of
-// their pixels, sums of distant lights as terms of a series and of gloss (far_lobe.glsl), and the
-// set of near lights, which each pixel sums itself. Preceded by FAR_LIGHTS, the capacity in lights,
-// 32 times a power of two; the numbers of words that follow from it (LightFarWords); and
+// their pixels, sums of distant lights as terms of a series and of specular lobes (far_lobe.glsl),
+// and the set of near lights, which each pixel sums itself. Preceded by FAR_LIGHTS, the capacity in
+// lights, 32 times a power of two; the numbers of words that follow from it (LightFarWords); and
 // FAR_OTHERS, if some lights are not plain.
 layout(std140) uniform FarBudget {
     float far_relative; // max error relative to a pixel's light

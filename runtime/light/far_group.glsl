@@ -15,10 +15,10 @@ const float NEVER = 1e30;
 // Bounds of a group's pixels. centre, radius: bounding box of the points, and distance of its
 // corners; radius < 0: no group. axis, cosine, sine: cone of normals around the seed's. above,
 // below: max and min of n.(p - c). view, mirror: cone of mirrored views around the seed's. even,
-// dim: max and min diffuse reflectance; gloss: max specular reflectance; exponent: min exponent of
-// gloss. behind: some surface transmits light.
-// For far_lobe.glsl: turn and lean are the max deviations of mirrored views and normals from the
-// seed's, and spread is the max change of a power of a cosine by the range of exponents.
+// dim: max and min diffuse reflectance; gloss: max specular reflectance; exponent: min specular
+// exponent. behind: some surface transmits light. For far_lobe.glsl: turn and lean are the max
+// deviations of mirrored views and normals from the seed's, and spread is the max change of a power
+// of a cosine by the range of exponents.
 struct Group {
     vec3 centre, axis, view;
     float radius, cosine, sine, above, below, mirror, exponent;

@@ -1,5 +1,5 @@
-// Gloss of distant lights that are summed together, for pass_near.glsl and pass_light_cluster.glsl.
-// Preceded by far_terms.glsl and far_group.glsl.
+// Specular light of distant lights that are summed together, for pass_near.glsl and
+// pass_light_cluster.glsl. Preceded by far_terms.glsl and far_group.glsl.
 
 // Bounds of a light for a group of pixels. way: unit direction from the center; power: irradiance
 // at the center; ratio: the group's radius over the light's distance, 0 if directional; lift: max
@@ -17,23 +17,25 @@ const float NEAREST = 0.6; // max ratio of the group's radius to the distance of
 
 bool farExpands(Far far) { return far.whole && far.ratio <= NEAREST && far.least >= 0.0; }
 
-// Gloss of reflectance 1 reflects F = A B^k of a light's power, where A = n.L d^2 / |l - p|^2, B =
-// max(r.L, 0), L is the direction from p to l, and r the mirrored view. On the path from the center
-// and the seed's r to a point and its r, F is a function of one parameter from 0 to 1. F(0) + F'(0)
-// is linear in both, so that lights add up in seven numbers per color component; the remainder is
-// at most half of the max F''. With q = |p - c| / d at most, s = 1 / (1 - q), e = q s:
+// A specular lobe of reflectance 1 reflects F = A B^k of a light's power, where
+// A = n.L d^2 / |l - p|^2, B = max(r.L, 0), L is the direction from p to l, and r the mirrored view.
+// On the path from the center and the seed's r to a point and its r, F is a function of one
+// parameter from 0 to 1. F(0) + F'(0) is linear in both, so that lights add up in seven numbers per
+// color component; the remainder is at most half of the max F''. With q = |p - c| / d at most,
+// s = 1 / (1 - q), e = q s:
 //   A  <= H = s^2 times the max n.L
 //   A' <= s^3 lift + 3 e H, and A'' <= 6 q s^4 lift + 12 e^2 H: derivatives of n.w / |w|^3, where
-//   n.w itself changes by at most `lift`
-//   B  <= the max cosine; B' <= (t + e) sin, t = |r - r0|: only the part across L turns B; B'' <= 2
-//   t e + 2 / sqrt(3) e^2, a bound of L''
+//         n.w itself changes by at most `lift`
+//   B  <= the max cosine; B' <= (t + e) sin, t = |r - r0|: only the part across L turns B;
+//         B'' <= 2 t e + 2 / sqrt(3) e^2, a bound of L''
 //   F'' = B^k (A'' + 2 A' k B'/B + A (k (k - 1) (B'/B)^2 + k B''/B)), for k >= 2
 // Normals that deviate by |n - a| from the seed's a change the linear part by as much of it, and
-// exponents from k to k + x change F by x / (2.718 k) of H. For example a lamp straight above, r =
-// n = L, k = 2, and a point at q = 0.1 to the side: F is 1.01^(-5/2) = 0.975, the linear part 1;
+// exponents from k to k + x change F by x / (2.718 k) of H. For example a lamp straight above,
+// r = n = L, k = 2, and a point at q = 0.1 to the side: F is 1.01^(-5/2) = 0.975, the linear part 1;
 // the error of 0.025 is within its bound of 0.119, which ignores the direction of p - c.
 struct Lobe {
-    float most, rest; // for gloss 1 and power 1: max of F, and max error of its linear part
+    // for specular reflectance 1 and power 1: max of F, and max error of its linear part
+    float most, rest;
 };
 
 Lobe farLobe(Far far, Group group)

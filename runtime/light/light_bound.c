@@ -8,8 +8,8 @@
  *     may reach only one side.
  *  2. A light that reaches the whole group is expanded in a series around c (far_terms.glsl),
  *     whose remainder is bounded; a light that reaches no pixel is dropped; any other is bounded
- *     by its max. Gloss of a light that is summed together is linear around c (far_lobe.glsl) or
- *     omitted, whichever has the smaller bound.
+ *     by its max. The specular part of lights that are summed together is linear around c
+ *     (far_lobe.glsl) or omitted, whichever has the smaller bound.
  *  3. E, the min over pixels of all lights that reach the whole group, is a lower bound of a
  *     pixel's light. Lights are summed together in order of their bounds, smallest first, while
  *     the bounds sum up to at most r E + a; each pixel sums the remaining lights itself.
@@ -42,7 +42,7 @@
  *
  * tests/renderer/light/test_light_bound.c proves the claims about e and Filmic, by intervals and
  * by the signs of polynomials, and tries the others; test_far_terms.c tries the bounds of the
- * series and of gloss. */
+ * series and of specular lobes. */
 #include "runtime/light/light_far.h"
 #include "runtime/shadow/shadow.h"
 #include <string.h>

@@ -1,4 +1,4 @@
-/* Inputs of the passes gather and light for light clustering: constants of the GLSL, error
+/* Inputs of the passes light_cluster and light for light clustering: constants of the GLSL, error
  * budgets, the buffers of light_storage.c. */
 #include "runtime/light/light_far.h"
 #include "runtime/frame_graph/transparency_draw.h"

@@ -1,6 +1,6 @@
 /* Light clustering for many lights: which lights are far from a block of pixels and summed
  * together (light_bound.c), storage of the results (light_storage.c), and inputs of the passes
- * gather and light (light_far.c). */
+ * light_cluster and light (light_far.c). */
 #ifndef MATC_RENDER_LIGHT_FAR_H
 #define MATC_RENDER_LIGHT_FAR_H
 #include "gen/far_layout.h"
@@ -22,7 +22,7 @@ bool light_far_budget(SceneKind tone, bool linear, double budget[2]);
 int light_far_blocks(int pixels);
 /* Words of a group of pixels: `tops` words with a bit for each nonzero word of `bits`; `bits`
  * words with a bit for each near light; from `near` to `marks` a bit for each distant light
- * whose gloss is expanded. `block`: words of a block. */
+ * whose specular light is expanded. `block`: words of a block. */
 typedef struct {
     int bits, tops, near, marks, block;
 } LightFarWords;
@@ -39,8 +39,8 @@ void light_far_delete(Renderer *renderer);
 /* Sorts lights of two texels, the first of which begins with a position, so that lights close in
  * space are close in the array. False if memory runs out. light_order.c */
 bool light_order(float (*lights)[LIGHT_PLAIN_TEXELS][4], int count);
-/* Inputs of the passes: constants of the GLSL; uniforms; bindings for the pass gather, and for
- * the pass light. */
+/* Inputs of the passes: constants of the GLSL; uniforms; bindings for the pass light_cluster,
+ * and for the pass light. */
 enum { LIGHT_FAR_DEFINITIONS = 512 };
 /* The programs in the order of a frame. */
 typedef enum { LIGHT_FAR_groups, LIGHT_FAR_near, LIGHT_FAR_cluster, LIGHT_FAR_light } LightFarUse;

@@ -1,4 +1,4 @@
-/* Storage of light clustering between the passes gather and light, by blocks of pixels
+/* Storage of light clustering between the passes light_cluster and light, by blocks of pixels
  * (light_bound.c): two buffers, and their sizes. */
 #include "runtime/light/light_far.h"
 #include <limits.h>

@@ -1,6 +1,6 @@
 /* Texels of lights on the GPU: a uniform block of each program that lights, if the driver's
- * limit allows, else a texture. The pass gather always takes the texture, since its invocations
- * read different lights, which a block serializes. */
+ * limit allows, else a texture. The pass light_cluster always takes the texture, since its
+ * invocations read different lights, which a block serializes. */
 #include "runtime/light/light_far.h"
 #include "runtime/light/lighting.h"
 #include "runtime/shadow/shadow.h"

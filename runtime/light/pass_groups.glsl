@@ -1,5 +1,5 @@
-// The first dispatch of the pass gather: groups of a block's pixels, and bounds of their surfaces.
-// Preceded by far_group.glsl.
+// The first dispatch of the pass light_cluster: groups of a block's pixels, and bounds of their
+// surfaces. Preceded by far_group.glsl.
 layout(local_size_x = FAR_INVOCATIONS) in;
 uniform sampler2D light_depth;
 
@@ -8,8 +8,8 @@ const int GROUP = FAR_INVOCATIONS, SETS = FAR_MAP / GROUP;
 // per set: 8 apart, so that adjacent pixels belong to adjacent invocations
 const int PIXELS = FAR_SPAN * FAR_SPAN;
 
-// The pixel around which a group is built: its point, normal and mirrored view, and the exponent of
-// its gloss.
+// The pixel around which a group is built: its point, normal and mirrored view, and its specular
+// exponent.
 struct Seed {
     vec3 point, axis, mirror;
     float exponent;
@@ -117,7 +117,7 @@ bool farFindSeed(uint waiting[SETS])
 
 bool farShines(Lit m) { return any(greaterThan(surfaceGloss(m), vec3(0.0))); }
 
-// Reports whether a pixel is close to the seed and has a similar normal and gloss.
+// Reports whether a pixel is close to the seed and has a similar normal and specular lobe.
 bool farIsAlike(Seen seen, Seed seed)
 {
     const float reach = 4.0 * float(FAR_BLOCK), turn = 0.8, sharper = 0.2;

@@ -1,6 +1,6 @@
 /* The pass light: deferred shading, from the G-buffer, depth and lights to radiance. Its GLSL is
  * pass_light.glsl, after lighting.glsl; with many lights it is pass_light_far.glsl, which reads
- * the light clusters of the pass gather. */
+ * the light clusters of the pass light_cluster. */
 #include "gen/render_text.h"
 #include "runtime/light/light_far.h"
 #include "runtime/light/lighting.h"

@@ -1,8 +1,8 @@
-/* The pass gather: light clustering, from the G-buffer, depth and lights to the sums of distant
- * lights and the sets of near lights for each block of pixels (light_bound.c). Three dispatches:
- * pass_groups.glsl finds groups of pixels; pass_near.glsl selects each group's near lights;
- * pass_light_cluster.glsl sums the others. The sum has a dispatch of its own since it needs many
- * registers. light_storage.c has the buffers. */
+/* The pass light_cluster: light clustering, from the G-buffer, depth and lights to the sums of
+ * distant lights and the sets of near lights for each block of pixels (light_bound.c). Three
+ * dispatches: pass_groups.glsl finds groups of pixels; pass_near.glsl selects each group's near
+ * lights; pass_light_cluster.glsl sums the others. The sum has a dispatch of its own since it
+ * needs many registers. light_storage.c has the buffers. */
 #include "gen/render_text.h"
 #include "runtime/light/light_far.h"
 #include "runtime/light/lighting.h"

@@ -1,5 +1,5 @@
-// The third dispatch of the pass gather: for each group of a block's pixels, sums the distant
-// lights that pass_near.glsl selected. Preceded by far_light.glsl.
+// The third dispatch of the pass light_cluster: for each group of a block's pixels, sums the
+// distant lights that pass_near.glsl selected. Preceded by far_light.glsl.
 const int ROWS = FAR_TERMS + FAR_LOBES;
 
 shared float far_parts[ROWS * PITCH]; // partial sums of a color component, a row for each term
@@ -18,7 +18,7 @@ void farSum(int component)
     barrier();
 }
 
-// Sums the series of distant lights, and their gloss.
+// Sums the series of distant lights, and their specular light.
 void farGather(Group group, int number)
 {
     vec3 sums[FAR_TERMS], lobes[FAR_LOBES];

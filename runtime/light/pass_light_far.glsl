@@ -28,7 +28,7 @@ vec3 farIrradiance(int at, vec3 point, vec3 normal)
 }
 
 #ifdef SURFACE_HAS_specular
-// Gloss of distant lights for reflectance 1, at a point with a mirrored view.
+// Specular light of distant lights for reflectance 1, at a point with a mirrored view.
 vec3 farRoughness(int at, vec3 point, vec3 mirror)
 {
     vec4 centre = farTexel(at + FAR_CENTER), u = vec4((point - centre.xyz) * centre.w, 1.0);

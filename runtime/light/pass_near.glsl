@@ -1,5 +1,5 @@
-// The second dispatch of the pass gather: for each group of a block's pixels, selects the lights
-// that each pixel sums itself (light_bound.c). Preceded by far_light.glsl.
+// The second dispatch of the pass light_cluster: for each group of a block's pixels, selects the
+// lights that each pixel sums itself (light_bound.c). Preceded by far_light.glsl.
 const int PARTS = max(3 * PITCH, FAR_LIGHTS);
 
 shared float far_parts[PARTS];  // partial sums; later the lights' shares of the budget
@@ -23,8 +23,8 @@ vec3 farRest(Far far)
 }
 
 // Share of the error budget that a light takes if pixels do not sum it themselves; `even` and
-// `gloss` are reflectances over the budget. The lowest bit reports that gloss is expanded; else
-// gloss is omitted.
+// `gloss` are reflectances over the budget. The lowest bit reports that specular light is expanded;
+// else specular light is omitted.
 float farShare(Far far, Group group, vec3 even, vec3 gloss)
 {
     if (far.ratio > 0.9 || (group.behind && far.least < 0.0)) return NEVER;
@@ -92,7 +92,7 @@ float farThreshold(Group group, vec3 even, vec3 gloss)
     return threshold;
 }
 
-// Marks near lights, and far lights whose gloss is expanded.
+// Marks near lights, and far lights whose specular light is expanded.
 void farMark(float threshold)
 {
     for (int i = int(gl_LocalInvocationIndex); i < farCount(); i += GROUP) {
@@ -129,9 +129,9 @@ void farKeep(int number)
         far_words[at + FAR_NEAR + i] = far_linear[i];
 }
 
-// A pixel's diffuse light has an error of at most e R, its gloss g G, with sums R and G over all
-// far lights; the budget is r e E + a. The ratio is at most R / (r E + a / e) + G g / (r e E + a),
-// with the max e in the first and the min e in the second term.
+// A pixel's diffuse light has an error of at most e R, its specular light g G, with sums R and G
+// over all far lights; the budget is r e E + a. The ratio is at most R / (r E + a / e) + G g / (r e
+// E + a), with the max e in the first and the min e in the second term.
 void farLights(Group group)
 {
     vec3 least = far_relative * farSureOfAll(group);

@@ -107,7 +107,7 @@ typedef struct {
     int width, height; /* of the picture; 0: the scene's size */
 } MatcRendererOptions;
 
-/* Opens a renderer. Returns NULL on failure, with the reason in `error`, which holds `room`
+/* Opens a renderer. Returns NULL on failure, with the reason in `error`, which holds `capacity`
  * bytes. */
 MATC_API MatcRenderer *matc_renderer_open(const MatcRendererOptions *options, char *error,
                                           size_t capacity);

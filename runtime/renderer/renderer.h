@@ -1,7 +1,7 @@
 /* The renderer: draws scenes with matc's programs, on a context that the caller made and that is
  * current at every call.
  *
- *     Render *render = renderer_open(gl, &(RendererOptions){.compile = &options});
+ *     Renderer *render = renderer_open(gl, &(RendererOptions){.compile = &options});
  *     if (render && renderer_set_scene(render, scene) && renderer_frame(render))
  *         renderer_read(render, rgba);
  *     renderer_close(render);

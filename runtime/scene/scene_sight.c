@@ -85,7 +85,7 @@ static double ground_reach(const double ground[4], const SceneLight *light,
         return fabs(goes) < along ? INFINITY : goes < 0 ? most / -goes : -least / goes;
     }
     /* Min descent of a ray between the lamp and the triangle. The ray reaches the ground after
-     * |from| / room times that length. */
+     * |from| / capacity times that length. */
     const double capacity = fabs(from) - most;
     return least >= fabs(from)             ? 1
            : capacity > along * fabs(from) ? fabs(from) / capacity

@@ -1,6 +1,7 @@
-/* The passes smooth and spread: denoise the rays' results, as means over pixels of the same
- * surface. Smooth filters along rows; spread filters along columns and upsamples to all pixels
- * of the picture. Their GLSL is pass_denoise.glsl, after indirect_place.glsl. */
+/* The passes denoise and upsample: means over pixels of the same surface, which remove noise
+ * from the rays' results. The first filters along rows; the second filters along columns and
+ * upsamples to all pixels of the picture. Their GLSL is pass_denoise.glsl, after
+ * indirect_place.glsl. */
 #include "gen/render_text.h"
 #include "runtime/frame_graph/frame.h"
 #include "runtime/indirect/rays/pass_rays.h"
@@ -8,8 +9,8 @@
 
 enum { SOURCE_UNIT = INDIRECT_FREE_UNIT, FOUND_UNIT };
 
-/* The à-trous filter alternates between the targets smooth and open, or a part of open. At full
- * resolution it takes an even number of levels and ends in open; otherwise it ends in smooth,
+/* The à-trous filter alternates between the targets denoise and ao, or a part of ao. At full
+ * resolution it takes an even number of levels and ends in ao; otherwise it ends in denoise,
  * which is then upsampled. */
 static bool is_atrous(const Renderer *renderer)
 {

@@ -1,6 +1,6 @@
-// The passes smooth and spread: edge-avoiding means over nearby pixels of the same surface, first
-// along rows, then along columns. The second also upsamples from pixels that are INDIRECT_COARSE
-// wide.
+// The passes denoise and upsample: edge-avoiding means over nearby pixels of the same surface,
+// first along rows, then along columns. The second also upsamples from pixels that are
+// INDIRECT_COARSE wide.
 //
 // A pixel's weight is a product of three factors. By position: constant over INDIRECT_FILTER pixels
 // to each side and half at the ends, so that with a radius of 2 all 16 shifts of a tile have equal

@@ -1,4 +1,4 @@
-/* The pass history: temporal accumulation of the rays' results, with rejection of samples of
+/* The pass temporal: temporal accumulation of the rays' results, with rejection of samples of
  * other surfaces. Its targets are two of each kind, which swap every frame. Its GLSL is
  * pass_temporal.glsl, after indirect_place.glsl. */
 #include "gen/render_text.h"

@@ -1,4 +1,4 @@
-// The pass history: temporal accumulation. Each pixel's point is reprojected into the previous
+// The pass temporal: temporal accumulation. Each pixel's point is reprojected into the previous
 // frame. A sample there counts if it shows the same surface, by its distance from the tangent plane
 // and by its normal. It is weighted by the number of its sets of rays. Preceded by
 // indirect_place.glsl.

@@ -192,7 +192,7 @@ bool radiance_make(Renderer *renderer)
            make_light(renderer) && make_bounce(renderer);
 }
 
-/* -- inputs of passes that read the GPU scene */
+/* -- inputs of passes that read the radiance cache */
 
 void radiance_set(const Renderer *renderer, int unit, ScreenPass *pass)
 {

@@ -50,7 +50,7 @@ struct FrameRadiance {
  * front faces of a closed mesh that fills voxels. */
 typedef enum { RADIANCE_surface, RADIANCE_closed, RADIANCE_body, RADIANCE_CASTS } RadianceCast;
 
-/* Reports whether rays read the GPU scene: they trace voxels and look for light. */
+/* Reports whether rays read the radiance cache: they trace voxels and look for light. */
 bool radiance_needed(const Renderer *renderer);
 /* Makes programs and buffers. radiance.c */
 bool radiance_make(Renderer *renderer);

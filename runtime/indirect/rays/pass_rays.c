@@ -187,7 +187,7 @@ static bool pass_rays_moved(Renderer *renderer, int first, int count)
     return true;
 }
 
-/* Without a denoiser the rays write the target `open` (ambient occlusion) directly. */
+/* Without a denoiser the rays write the target `ao` (ambient occlusion) directly. */
 static void pass_rays_request(const Renderer *renderer, FramePlanPass *row)
 {
     if (!indirect_is_smoothed(renderer))

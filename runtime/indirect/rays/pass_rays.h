@@ -6,7 +6,7 @@
 
 enum { INDIRECT_RAYS_MAX = 128 };
 
-/* Traces rays; the second function those of a further bounce, from light in the target open. */
+/* Traces rays; the second function those of a further bounce, from light in the target ao. */
 void pass_rays_draw(Renderer *renderer);
 void pass_rays_draw_again(Renderer *renderer);
 

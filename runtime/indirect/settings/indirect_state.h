@@ -30,7 +30,7 @@ typedef struct {
 typedef struct {
     bool on; /* something has changed since the previous frame */
     ScreenPass rays, again, smooth, spread;
-    Framebuffer found, smoothed; /* parts of the targets rays and smooth */
+    Framebuffer found, smoothed; /* parts of the targets rays and denoise */
 } IndirectMoving;
 
 /* State of the passes. */
@@ -38,7 +38,7 @@ struct FrameIndirect {
     const IndirectMethod *method; /* NULL: the scene has no indirect light */
     IndirectHistory history;
     IndirectMoving moving;
-    Framebuffer between; /* intermediate à-trous levels: the target open, or a part of it */
+    Framebuffer between; /* intermediate à-trous levels: the target ao, or a part of it */
     IndirectMotion motion;
     ScreenPass rays, again, smooth, spread, combine; /* again: rays of further bounces */
 };
