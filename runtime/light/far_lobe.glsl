@@ -18,8 +18,8 @@ const float NEAREST = 0.6; // max ratio of the group's radius to the distance of
 bool farExpands(Far far) { return far.whole && far.ratio <= NEAREST && far.least >= 0.0; }
 
 // A specular lobe of reflectance 1 reflects F = A B^k of a light's power, where
-// A = n.L d^2 / |l - p|^2, B = max(r.L, 0), L is the direction from p to l, and r the mirrored view.
-// On the path from the center and the seed's r to a point and its r, F is a function of one
+// A = n.L d^2 / |l - p|^2, B = max(r.L, 0), L is the direction from p to l, r the mirrored view. On
+// the path from the center and the seed's r to a point and its r, F is a function of one
 // parameter from 0 to 1. F(0) + F'(0) is linear in both, so that lights add up in seven numbers per
 // color component; the remainder is at most half of the max F''. With q = |p - c| / d at most,
 // s = 1 / (1 - q), e = q s:
@@ -31,8 +31,8 @@ bool farExpands(Far far) { return far.whole && far.ratio <= NEAREST && far.least
 //   F'' = B^k (A'' + 2 A' k B'/B + A (k (k - 1) (B'/B)^2 + k B''/B)), for k >= 2
 // Normals that deviate by |n - a| from the seed's a change the linear part by as much of it, and
 // exponents from k to k + x change F by x / (2.718 k) of H. For example a lamp straight above,
-// r = n = L, k = 2, and a point at q = 0.1 to the side: F is 1.01^(-5/2) = 0.975, the linear part 1;
-// the error of 0.025 is within its bound of 0.119, which ignores the direction of p - c.
+// r = n = L, k = 2, and a point at q = 0.1 to the side: F is 1.01^(-5/2) = 0.975, the linear part
+// 1; the error of 0.025 is within its bound of 0.119, which ignores the direction of p - c.
 struct Lobe {
     // for specular reflectance 1 and power 1: max of F, and max error of its linear part
     float most, rest;
