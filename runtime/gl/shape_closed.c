@@ -3,9 +3,8 @@
  * often in both directions cancel in a signed sum. So the test needs no table of edges.
  *
  *     A tetrahedron's six edges: each has two triangles, both sums are 0. Without one triangle,
- *     its
- *     three edges remain; with one flipped, the exclusive or is 0, and the signed sum is twice
- *     its three edges. */
+ *         its three edges remain; with one flipped, the exclusive or is 0, and the signed sum is
+ *         twice its three edges. */
 #include "runtime/gl/shape.h"
 #include <math.h>
 #include <stdlib.h>

@@ -3,10 +3,8 @@
  * away from the center.
  *
  *     n = (1, 0, 0), d = 0: the half space right of x = 0. A box from (-3, 0, 0) to (-1, 2, 2)
- *     has
- *         its center at x = -2, half an edge is 1:
- *     -2 + 1 < 0, the box is culled. Rotated by 45 degrees about z, half edges are 0.7 and 0.7:
- *         -2 + 1.4 < 0, still culled */
+ *         has its center at x = -2, half an edge is 1: -2 + 1 < 0, the box is culled. Rotated by
+ *         45 degrees about z, half edges are 0.7 and 0.7: -2 + 1.4 < 0, still culled */
 #include "runtime/gpu_scene/cull.h"
 #include "runtime/scene/scene_matrix.h"
 #include <math.h>

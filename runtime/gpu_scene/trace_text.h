@@ -4,10 +4,8 @@
  * which may show other surfaces. The programs
  *
  *     layout(location = 2) in vec2 texcoord;            layout(location = 4) in vec2 uv;
- *     layout(location = 4) out vec2 uv;                 layout(location = 0) out uvec4
- *     fragment0;
- *     void main() { uv = texcoord; ... }                void main() { vec2 uvByX = dFdx(uv); ...
- *     }
+ *     layout(location = 4) out vec2 uv;                 layout(location = 0) out uvec4 fragment0;
+ *     void main() { uv = texcoord; ... }                void main() { vec2 uvByX = dFdx(uv); ... }
  *
  * become one text with variables `vec2 trace_texcoord, uv, traceX_uv;`, functions
  * traceVertexMain() and traceSurfaceMain(), and the main() of trace_resolve.glsl. */

@@ -15,11 +15,12 @@
 //   R_km(u) = |u|^k P_km(cos t) e^(i m f) / (k + m)!
 //   S_km(w) = (k - m)! P_km(cos t) e^(i m f), for a direction w
 //   1 / |l - p| = sum of q^k / d (R_k0 S_k0 + 2 Re R_km Re S_km + 2 Im R_km Im S_km), m from 1 to
-//   k, where u is in units of the max |u|
-//   along z: ((k + 1)^2 - m^2) R_(k+1)m = (2 k + 1) z R_km - |u|^2 R_(k-1)m, and S_(k+1)m = (2 k +
-//   1) z S_km - (k^2 - m^2) S_(k-1)m
-//   gradients: d/dz R_km = R_(k-1)m, (d/dx - i d/dy) R_km = R_(k-1)(m-1), (d/dx + i d/dy) R_km =
-//   -R_(k-1)(m+1)
+//                 k, where u is in units of the max |u|
+//   along z:    ((k + 1)^2 - m^2) R_(k+1)m = (2 k + 1) z R_km - |u|^2 R_(k-1)m
+//               S_(k+1)m = (2 k + 1) z S_km - (k^2 - m^2) S_(k-1)m
+//   gradients:  d/dz R_km = R_(k-1)m
+//               (d/dx - i d/dy) R_km = R_(k-1)(m-1)
+//               (d/dx + i d/dy) R_km = -R_(k-1)(m+1)
 #include "far.layout.def"
 // Unrolled by macros: a compiler that keeps a loop would put the array into memory.
 #define FAR_EACH_OF_24(f, k)                                                                                           \

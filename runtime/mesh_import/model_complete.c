@@ -122,8 +122,8 @@ typedef struct {
 
 /* Adds dP/du and dP/dv of a triangle to its corners. Edges a and b have the steps (s, t) and (p,
  * q) in (u, v):
- *     a = s Pu + t Pv, b = p Pu + q Pv   so   Pu = (q a - t b) / D, Pv = (s b - p a) / D,
- *     D = s q - t p
+ *     a = s Pu + t Pv, b = p Pu + q Pv   so   Pu = (q a - t b) / D, Pv = (s b - p a) / D
+ *     with D = s q - t p
  * Worked example: a = (2, 0, 0) with (s, t) = (1, 0) and b = (0, 2, 0) with (0, 1): D = 1, Pu =
  * a, Pv = b. */
 static void add_tangents(ShapeVertex *corner[3], Tally *tally[3])

@@ -3,7 +3,7 @@
 //   0  the greatest red, green, blue and luminance
 //   1  the sums of red, green, blue and luminance
 //   2  of pixels whose luminance is above LEAST: the sum of ln(luminance), their count, the least
-//   luminance
+//      luminance
 layout(std140) uniform Tone {
     float tone_exposure;
     float tone_pixels; // number of pixels

@@ -3,10 +3,8 @@
  * a strip of given width around the foot is a range of a; the same holds for b.
  *
  *     u = [1e9, 0, 0], v = [0, 1e9, 0] from [-5e8, -5e8, 10], a camera at [0, -6, 2] that looks
- *     6
- *         away: the plane is
- *     8 away, the foot at a = 0.5, b = 0.499999994, and the part 80,000 to each side, a from
- *         0.49992 to 0.50008 */
+ *         6 away: the plane is 8 away, the foot at a = 0.5, b = 0.499999994, and the part 80,000
+ *         to each side, a from 0.49992 to 0.50008 */
 #include "runtime/scene/scene_area.h"
 #include "runtime/scene/scene_matrix.h"
 #include <math.h>

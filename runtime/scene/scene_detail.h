@@ -6,10 +6,9 @@
  * along an edge as the previous one, so that copies of one level share a mesh.
  *
  *     A cylinder of radius 1, a camera of 500 pixels at a distance of 1 whose picture reaches 30
- *         degrees to each side, 100 away:
- *     a unit has 500 / 99 / cos^2 30 = 6.7 pixels; 24 sides have an error of 6.7 (1 - cos(pi /
- *     24))
- *         = 0.06 pixels, 12 of 0.23: so it has 24 */
+ *         degrees to each side, 100 away: a unit has 500 / 99 / cos^2 30 = 6.7 pixels. 24 sides
+ *         have an error of 6.7 (1 - cos(pi / 24)) = 0.06 pixels, 12 sides of 0.23: the cylinder
+ *         has 24 sides. */
 #ifndef MATC_SCENE_DETAIL_H
 #define MATC_SCENE_DETAIL_H
 #include "runtime/scene/scene.h"

@@ -3,9 +3,8 @@
  * two keys are joined by a straight line.
  *
  *     x is 0, 1, 4 at the times 0, 1, 2: the slopes are 1, 2, 3, and at the time 1/2
- *     x = (1 + 2 t) (1 - t)^2 0 + t (1 - t)^2 1 + t^2 (3 - 2 t) 1 + t^2 (t - 1) 2 = 1/8 + 1/2 -
- *     1/4
- *         = 3/8 */
+ *     x = (1 + 2 t) (1 - t)^2 0 + t (1 - t)^2 1 + t^2 (3 - 2 t) 1 + t^2 (t - 1) 2
+ *       = 1/8 + 1/2 - 1/4 = 3/8 */
 #include "runtime/scene/scene_matrix.h"
 #include <math.h>
 

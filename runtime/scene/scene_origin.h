@@ -4,8 +4,7 @@
  * (MatcOptions.origin).
  *
  *     A camera at [6378137, -6, 2] that looks at [6378137, 0, 0], a plane at [6378137, 0, 0], a
- *     box
- *         1.5 to the side:
+ *         box 1.5 to the side:
  *     the origin is [6378137, 0, 0], the camera is at [0, -6, 2], and the box at [1.5, 0, 0] */
 #ifndef MATC_SCENE_ORIGIN_H
 #define MATC_SCENE_ORIGIN_H

@@ -2,8 +2,7 @@
  * the distance, or, orthographic, `half` itself.
  *
  *     600 pixels, 90 degrees, 10 away: 300 pixels cover tan 45 degrees times 10, so that a unit
- *     has
- *         30 */
+ *         has 30 */
 #include "runtime/scene/scene_seen.h"
 #include "runtime/scene/scene_matrix.h"
 #include <math.h>

@@ -3,10 +3,8 @@
  * the triangle and where it leaves the box around all objects, no point between is in view.
  *
  *     The half space x > 0 is visible, the box ends at z = 0. Light from (1, 0, -1), a triangle
- *     that
- *         ends at x = -2, at most 1 high: its shadow ends at -2 + 1, out of view. At 3 high it
- *         ends
- *         at 1. */
+ *         that ends at x = -2, at most 1 high: its shadow ends at -2 + 1, out of view. At 3 high
+ *         the shadow ends at 1. */
 #include "runtime/scene/scene_sight.h"
 #include "runtime/scene/scene_matrix.h"
 #include <math.h>

@@ -7,8 +7,7 @@
 // chooses the start: in the thesis 0.025 towards the camera.
 //
 //     8 steps along 16 voxels, jitter 0.5: samples at 3, 5, .. 17 voxels; a wall of one voxel is
-//     hit
-//         by every second ray
+//         hit by every second ray
 bool voxelMarch(vec3 from, vec3 way, int steps, float jitter, out float t)
 {
     for (int j = 1; j <= steps; j++) {

@@ -5,8 +5,7 @@
 // the radius has (1 - c)^2 (2 + c) / 4 of them behind it. Points find no light.
 //
 //     A wall at half the radius: (1/2)^2 (5/2) / 4 = 0.156 of the samples are behind the wall,
-//     which
-//         uniform rays hit in 1/4 of their directions.
+//         which uniform rays hit in 1/4 of their directions.
 vec4 indirectAround(ivec2 pixel, IndirectShift shift, vec3 point, vec3 normal, out vec3 open)
 {
     vec3 u, v, from = point + indirectLift(point, normal) * normal;

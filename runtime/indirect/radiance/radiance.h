@@ -5,17 +5,14 @@
  *
  *     buffer faces  four words; then for each voxel, x first, the number of its first node times
  *                   64, and a bit for each side that has a node
- *     buffer nodes  for each node: the voxel times 8 plus the side, with flags: stored, of a
- *     closed
- *                   mesh; its depth; what its material packs for the G-buffer, normals in world
- *                   space
+ *     buffer nodes  for each node: the voxel times 8 plus the side, with flags (stored; of a
+ *                   closed mesh); its depth; the words that its material packs for the G-buffer,
+ *                   with normals in world space
  *     buffer light  for each node texels of four floats: the direct light that it reflects, and
- *     its
- *                   normal in 24 bits, or -1 if it lies within a closed mesh or is cut away;
- *                   light
- *                   of further bounces, and the distance of its plane from the grid's corner.
- *                   With
- *                   several bounces also: its diffuse albedo; light of one bounce more
+ *                   its normal in 24 bits, or -1 if it lies within a closed mesh or is cut away;
+ *                   light of further bounces, and the distance of its plane from the grid's
+ *                   corner. With several bounces also: its diffuse albedo; light of one bounce
+ *                   more
  *
  * Rebuilt when objects, materials or lights change; independent of the camera. */
 #ifndef MATC_INDIRECT_RADIANCE_H

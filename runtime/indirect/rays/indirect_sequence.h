@@ -17,8 +17,7 @@
  * Rotation `blue` adds three values of blue noise, modulo 1.
  *
  *     4 samples of Sobol's: (0, 0), (1/2, 1/2), (1/4, 3/4), (3/4, 1/4); pixel (1, 0) is k = 1
- *     and
- *     has samples 4 to 7, which are samples 0 to 3 XOR sample 4, (1/8, 5/8):
+ *         and has samples 4 to 7, which are samples 0 to 3 XOR sample 4, (1/8, 5/8):
  *     (1/8, 5/8), (5/8, 1/8), (3/8, 3/8), (7/8, 7/8) */
 #ifndef MATC_RENDER_INDIRECT_SEQUENCE_H
 #define MATC_RENDER_INDIRECT_SEQUENCE_H

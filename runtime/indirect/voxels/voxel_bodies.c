@@ -2,8 +2,7 @@
  * no GL calls.
  *
  *     A room of six boxes that overlap in its corners: floor and ceiling do not overlap, wave 1;
- *     two
- *         opposite walls, wave 2; the others, wave 3. */
+ *         two opposite walls, wave 2; the others, wave 3. */
 #include "runtime/frame_graph/frame.h"
 #include "runtime/indirect/voxels/voxels.h"
 #include "runtime/tessellate/scene_solid.h"

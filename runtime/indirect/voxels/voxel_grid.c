@@ -1,8 +1,7 @@
 /* Fits the voxel grid to a scene. Makes no GL calls.
  *
  *     Objects from (0, 0, 0) to (4, 2, 1), 64 voxels: 62 voxels span the length 4, so that each
- *     is
- *         4 / 62 wide, and one is left on each side. */
+ *         is 4 / 62 wide, and one is left on each side. */
 #include "runtime/indirect/voxels/voxels.h"
 #include <math.h>
 #include <string.h>

@@ -8,8 +8,7 @@
 // full block of one voxel is the hit.
 //
 //     A ray of slope 1/4 over an empty floor of 64 x 64 voxels: bricks 4, 8, 16, 32, ... wide,
-//     which
-//         contain the floor, but not in the box that the ray passes.
+//         which contain the floor, but not in the box that the ray passes.
 struct VoxelMeeting {
     float t;    // in multiples of the ray's direction
     ivec3 at;   // the full voxel that was hit
