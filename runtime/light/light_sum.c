@@ -1,12 +1,18 @@
 /* Composes the GLSL that sums over kinds of lights, from the texts of the scene's kinds.
  *
  *     Area lights and a Hemisphere give
- *     layout(std140) uniform LightKinds { int light_kinds; int light_Area; };
- *     vec3 lightAround(Seen seen) { return vec3(0.0) + lightFromHemisphere(seen); }
+ *     layout(std140) uniform LightKinds { int light_Area; };
+ *     vec3 lightAround(Seen seen)
+ *     {
+ *         vec3 sum = vec3(0.0);
+ *         sum += lightFromHemisphere(seen);
+ *         return sum;
+ *     }
  *     vec3 lightFromKinds(vec3 sum, Seen seen)
  *     {
  *         int light = light_plain + light_points;
- *         for (int i = 0; i < light_Area; i++, light++) sum += lightFromArea(light, seen);
+ *         for (int i = 0; i < light_Area; i++, light++)
+ *             sum += lightFromArea(light, seen);
  *         return sum;
  *     } */
 #include "runtime/light/lighting.h"
