@@ -207,7 +207,7 @@ typedef enum {
     MATC_GEOMETRY = 32768,
     /* GLSL of a compute program that reads vertices from a buffer, and writes where they are
      * displaced to, and the normals there. Targets of GLSL 4.5 alone
-     * (docs/design/displacement.md) */
+     * (docs/reference/displacement-programs.md) */
     MATC_COMPUTE = 65536,
     /* table of stages and optimiser passes; the choices, and what settled each */
     MATC_STATS = 128,
