@@ -211,7 +211,7 @@ typedef enum {
      * vertex program does. Desktop GLSL targets from 3.30 on. */
     MATC_GEOMETRY = 32768,
     /* GLSL of a compute program that reads vertices from a buffer, and writes their displaced
-     * positions and normals. GLSL 4.5 targets only (docs/design/displacement.md). */
+     * positions and normals. GLSL 4.5 targets only (docs/reference/displacement-programs.md). */
     MATC_COMPUTE = 65536,
     /* Table of stages and optimizer passes; the choices and their sources. */
     MATC_STATS = 128,

@@ -21,6 +21,11 @@ static Type wider(const Ir *ir, Ref a, Ref b)
     return ir_components(ir, a) > ir_components(ir, b) ? ir_type(ir, a) : ir_type(ir, b);
 }
 
+static Ref length(Ir *ir, Ref a)
+{
+    return ir_components(ir, a) == 1 ? build_abs(ir, a) : build_length(ir, a);
+}
+
 /* Applies a function of numbers to every component. */
 typedef Ref OfNumbers(Lower *l, const Ref *x);
 static Ref by_components(Lower *l, OfNumbers *of, const Ref *args, int count)
@@ -348,7 +353,7 @@ static Ref worley(Lower *l, Ref p)
 #define SMOOTH(t)                  smooth(l, t)
 #define COMPONENTS(op, a)          over_components(l, OP_##op, a)
 #define DOT(a, b)                  dot(l, REFS(ir, a, b))
-#define LENGTH(a)                  (ir_components(ir, a) == 1 ? build_abs(ir, a) : build_length(ir, a))
+#define LENGTH(a)                  length(ir, a)
 #define AVERAGE(a)                 average(l, a)
 #define UNIT(a)                    build_call(ir, FN_safeNormalize, three(l, a))
 #define TURNED(a, b)               turned(l, REFS(ir, a, b))

@@ -1,12 +1,12 @@
 #!/bin/sh
-# The figures in docs/results/performance.md, docs/reference/stability.md, docs/design/shadows.md, docs/design/displacement.md, docs/reference/layouts.md and docs/results/thesis.md that do not depend on the machine, against the commands that print them: figures.sh BUILD_FOLDER
+# The figures in docs/results/performance.md, docs/reference/stability.md, docs/results/shadows.md, docs/results/displacement.md, docs/results/layouts.md and docs/results/thesis.md that do not depend on the machine, against the commands that print them: figures.sh BUILD_FOLDER
 # [--update]. A block below `<!-- matbench WORDS -->` is what that command printed; now it is run without its times, for which it
 # prints `-`. Every line of the block must be printed, in this order, with the same words and numbers, and any number where there
-# is a `-`; fractions of docs/design/shadows.md, of what is drawn, may be off by two of their last digit. --update writes the page anew, with its times as they were. Run from the project's root. Status 77: skipped.
+# is a `-`; fractions of docs/results/shadows.md, of what is drawn, may be off by two of their last digit. --update writes the page anew, with its times as they were. Run from the project's root. Status 77: skipped.
 set -u
 build=$1
 update=${2:-}
-pages="docs/results/performance.md docs/reference/stability.md docs/design/shadows.md docs/design/displacement.md docs/reference/layouts.md docs/results/thesis.md"
+pages="docs/results/performance.md docs/reference/stability.md docs/results/shadows.md docs/results/displacement.md docs/results/layouts.md docs/results/thesis.md"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 command -v spirv-opt >/dev/null || {
@@ -74,7 +74,7 @@ while read -r page command words; do
     # shellcheck disable=SC2086
     "$build/matbench" "$command" --untimed $words >"$work/printed" 2>"$work/said" || { failed=1 && cat "$work/said"; }
     off=0
-    [ "$page" != docs/design/shadows.md ] || off=2
+    [ "$page" != docs/results/shadows.md ] || off=2
     awk -v off=$off -f "$work/lines.awk" "$work/printed" "$work/block" >"$work/wanted"
     if [ -n "$update" ] && [ -s "$work/wanted" ] && ! grep -q '^? ' "$work/wanted"; then
         replace_block "$name" "$work/wanted"

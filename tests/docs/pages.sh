@@ -92,9 +92,9 @@ check "its second" shows docs/reference/layouts.md "" 2 "$work/mixed.report"
 "$matc" --no-validate --layout=auto --stats -d "$work/all" examples/materials/*.yaml examples/materials/*.json 2>"$work/all.report"
 check "what examples/materials/ take" grep -q '^28 bytes a pixel' "$work/all.report"
 
-# docs/design/indirect.md
+# docs/results/indirect.md
 "$matc" --explain Indirect >"$work/indirect"
-check "what qualities set" shows docs/design/indirect.md "" 2 "$work/indirect"
+check "what qualities set" shows docs/results/indirect.md "" 1 "$work/indirect"
 
 # docs/design/architecture.md
 check "its layers are the table's" test "$(block docs/design/architecture.md "" 2)" = "$(grep -v -e '^#' -e '^circle' -e '^$' tests/sources/layers.txt)"

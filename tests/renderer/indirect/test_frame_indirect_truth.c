@@ -1,6 +1,6 @@
 /* Ambient occlusion and indirect light by every method against many rays in double; how far each is
  * off is printed, and bounded. `build/tests/test_frame_indirect_truth goals [FILE.obj LIFT
- * [KEYS...]]`, or `errors` without times: rows of docs/design/indirect.md, of what is to be
+ * [KEYS...]]`, or `errors` without times: rows of docs/results/indirect.md, of what is to be
  * reached; of that mesh, y up, so far above the ground, as well. */
 /* ctest: unsanitized */
 #include "tests/test.h"

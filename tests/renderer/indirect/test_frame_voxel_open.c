@@ -1,5 +1,5 @@
 /* How open points are by rays through voxels, against the same rays by Embree: closed meshes as
- * bodies and as surfaces, by where rays begin. Prints the table of docs/design/indirect.md.
+ * bodies and as surfaces, by where rays begin. Prints the table of docs/results/indirect.md.
  * `build/tests/test_frame_voxel_open FILE.obj LIFT`: of that mesh, y up, so far above the
  * ground. */
 #include "tests/test.h"
