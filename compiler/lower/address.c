@@ -7,10 +7,10 @@
  *     mirror    the sampler's position is folded into [0, 1], 1 - |1 - x| of x mod 2, then
  *     clamped
  *     border    as clamp, times the share of the box, one texel wide or as wide as the pixel,
- *     that lies in the picture
+ *     that lies in the image
  *
- * A picture of 4 texels at u = -.1: the sampler's position is .025, .1 texel; clamp reads u' =
- * 0; the box from -.4 to .6 texels has .6 in the picture, so border is .6 of the first texel, as
+ * An image of 4 texels at u = -.1: the sampler's position is .025, .1 texel; clamp reads u' =
+ * 0; the box from -.4 to .6 texels has .6 in the image, so border is .6 of the first texel, as
  * GL mixes a texel with its border color. */
 #include "compiler/lower/address.h"
 #include "compiler/ir/build_words.h"
@@ -59,7 +59,7 @@ Ref address_place(Ir *ir, const Addressed *picture, Ref uv)
     return build_clamp(ir, place, least, most);
 }
 
-/* Returns the share of a box that lies in the picture, per component. A box of one texel begins
+/* Returns the share of a box that lies in the image, per component. A box of one texel begins
  * at u, in texels; a wider one has the same center. */
 static Ref overlap(Ir *ir, const Addressed *picture, Ref uv, Ref wide)
 {

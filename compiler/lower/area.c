@@ -224,7 +224,7 @@ static bool is_varying(const Ir *ir, Ref uv)
 
 /* Returns true if the coordinate may depend on a number in a storage buffer that materials
  * share. Mesa's llvmpipe reads 0 from the buffer in helper invocations, so a quad at a
- * triangle's edge would span the whole picture, and its coarsest mipmap would be drawn. */
+ * triangle's edge would span the whole image, and its coarsest mipmap would be drawn. */
 static bool may_read_buffer(const Lower *l, Ref uv)
 {
     return l->job->instances && !is_varying(l->ir, uv);
@@ -265,7 +265,7 @@ static Ref place_of(Lower *l, const Picture *p, Ref uv)
     return is_sampler(p->function) ? uv : address_place(l->ir, &a, uv);
 }
 
-/* Multiplies by the picture's share for a border, which is black. */
+/* Multiplies by the image's share for a border, which is black. */
 static Ref with_border(Lower *l, const Picture *p, Ref value, const Ref at[2])
 {
     const Addressed a = addressed(p);
@@ -317,7 +317,7 @@ Ref area_picture_near(Lower *l, const Picture *p, Ref point, Ref uv)
 }
 
 /* Returns the slope of an image whose sampler does all addressing. With the neighbors' footprint
- * the picture is read outside of every branch, which is faster than passing a footprint within
+ * the image is read outside of every branch, which is faster than passing a footprint within
  * one: on an H100 three reads take 0.2 ns a pixel, with passed footprints 0.8. */
 static Ref rise_over(Lower *l, const Picture *p, Ref uv, Ref component, Ref shown)
 {
@@ -353,7 +353,7 @@ Ref area_picture_rise(Lower *l, const Picture *p, Ref uv, int component, Ref sho
 }
 
 /* Reads mipmaps. The footprint is that of the unfolded coordinate, which is reversed where the
- * picture is mirrored. */
+ * image is mirrored. */
 static Ref picture_filtered(Lower *l, const Picture *p, Ref uv, Spread spread)
 {
     const Addressed a = addressed(p);

@@ -13,7 +13,7 @@ MapValue area_vector_turbulence(Lower *l, MapValue p, const Ref args[3]);
 /* Returns the share of the footprint where an odd number of components of q is in the upper half
  * of its period 1; q has two or three components. 0: no footprint, and the point alone decides. */
 Ref area_odd_share(Lower *l, MapValue q);
-/* A picture and the function that reads it (sampler, uv, size). */
+/* An image and the function that reads it (sampler, uv, size). */
 typedef struct {
     Function function;
     Ref sampler, size;
@@ -26,7 +26,7 @@ Function area_picture_function(const Lower *l, Ref uv, bool smooth);
 Ref area_picture(Lower *l, const Picture *picture, Ref uv);
 /* Returns the value at a point near uv, filtered with uv's footprint: for finite differences. */
 Ref area_picture_near(Lower *l, const Picture *picture, Ref point, Ref uv);
-/* Returns the change of one component over one texel along u and v, a vec2. Magnified pictures
+/* Returns the change of one component over one texel along u and v, a vec2. Magnified images
  * use the texels themselves; otherwise `shown`, the differences of area_picture_near(), is
  * returned. 0: use `shown` in any case. */
 Ref area_picture_rise(Lower *l, const Picture *picture, Ref uv, int component, Ref shown);

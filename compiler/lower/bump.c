@@ -2,7 +2,7 @@
  * that is computed; `auto` combines both by one rule:
  *
  *     the derivative of what the displacement computes, by the chain rule, where a map with a
- *     STEP row (maps.def: it jumps, or is a picture) has GroIMP's finite difference as its
+ *     STEP row (maps.def: it jumps, or is an image) has GroIMP's finite difference as its
  *     derivative by its own coordinate.
  *
  * Tiles of wood: a Blend along a Checker c (1 and 0, its u' = 8 u), with 0 at item 0 and w(x) at

@@ -18,7 +18,7 @@ typedef struct {
 } Risen;
 Risen bump_of(Lower *l, BumpValue *make, const Node *what, const Env *env);
 
-/* Lowers, within a displacement, a map below which nothing jumps and no picture is read as
+/* Lowers, within a displacement, a map below which nothing jumps and no image is read as
  * outside of the displacement, so that both share one node. */
 MapValue bump_smooth(Lower *l, const Node *map, Group group, const Env *env);
 

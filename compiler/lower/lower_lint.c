@@ -6,7 +6,7 @@
  *
  *     { map: BumpMap, displacement: { map: Checker, color1: 0.5, color2: 0.5 } }
  *     An edge has the slope (0.5 - 0.5) / 0.05: flat everywhere, as is a Blend outside its
- *     items, or a map whose coordinate is scaled by 0. A picture may have a single color: its
+ *     items, or a map whose coordinate is scaled by 0. An image may have a single color: its
  *     texels are not read at compile time, and no warning is given. */
 #include "compiler/ir/range.h"
 #include "compiler/lower/lower.h"

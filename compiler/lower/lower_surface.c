@@ -1,4 +1,4 @@
-/* Maps without noise: constants, checkers and pictures. */
+/* Maps without noise: constants, checkers and images. */
 #include "compiler/lower/area.h"
 #include "compiler/lower/bump.h"
 #define XXH_INLINE_ALL
@@ -163,7 +163,7 @@ MapValue lower_VolumeChecker(Lower *l, const Node *node, Group group, const Env 
     return odd_or_even(l, p, 0.5 * kind_table[KIND_VolumeChecker].step, &colors);
 }
 
-/* Returns true for equal pictures, or Carpenter reliefs with equal parameters. */
+/* Returns true for equal images, or Carpenter reliefs with equal parameters. */
 static bool same_texture(const IrTexture *a, const IrTexture *b)
 {
     if (a->kind != b->kind || a->image != b->image || a->kind == TEXTURE_image)
@@ -205,7 +205,7 @@ static uint32_t texture_number(Ir *ir, const IrTexture *wanted)
 
 enum { ALL_COMPONENTS = -1 };
 
-/* A picture, the function that reads it, and the step of finite differences along u and v; 0:
+/* An image, the function that reads it, and the step of finite differences along u and v; 0:
  * one texel. */
 typedef struct {
     IrTexture texture;
@@ -224,8 +224,8 @@ static Ref components_of(Lower *l, const Sampled *sampled, Ref value)
                : build_swizzle(l->ir, value, component_name[sampled->component]);
 }
 
-/* Returns the picture's width and height: queried from the sampler where possible, so that
- * pictures of all sizes share a program. */
+/* Returns the image's width and height: queried from the sampler where possible, so that
+ * images of all sizes share a program. */
 static Ref size_of(Lower *l, const IrTexture *texture, Ref sampler)
 {
     if (texture->sampled && target_table[l->job->target].words)
@@ -244,7 +244,7 @@ static Ref near_zero(Ir *ir, Ref uv)
     return build_sub(ir, uv, build_sub(ir, turns, kept));
 }
 
-/* Returns the period in u and v after which the picture repeats exactly; 0: none, or a sampler
+/* Returns the period in u and v after which the image repeats exactly; 0: none, or a sampler
  * reads it, which would take a dropped period for a wide footprint. */
 static double uv_transform_chain(const Sampled *sampled)
 {

@@ -156,7 +156,7 @@ static double picture_at(const Picture *picture, double u, double v, int compone
     return component == 3 ? 1 : texel[0];
 }
 
-/* A component of a picture. */
+/* A component of an image. */
 typedef struct {
     const Picture *picture;
     int component;

@@ -22,7 +22,7 @@ typedef struct {
         [3];
     double reach; /* the greatest absolute coordinate relative to the origin */
     int count;
-    ExactObject *objects; /* ordered as cache->places: opaque objects first */
+    ExactObject *objects; /* in the order of GpuScene.places: opaque objects first */
     int object_count, opaque_count;
 } ExactTriangles;
 

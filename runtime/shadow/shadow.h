@@ -56,8 +56,7 @@ int shadow_parts_number(const Renderer *renderer);
 /* Draws the lists of one of several tiles. */
 void shadow_parts_load(Renderer *renderer, int part);
 
-/* -- Infinite planes of varying transparency (plane_transmittance.c)
- * ---------------------------------- */
+/* -- Infinite planes of varying transparency (plane_transmittance.c) -------------------------- */
 
 /* Returns whether the light has a layer of the planes' transmittance. */
 bool plane_transmittance_reads(const SceneLight *light);

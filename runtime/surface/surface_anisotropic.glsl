@@ -1,7 +1,7 @@
 // Anisotropic reflection: GGX with two widths, a along a direction and b across it, as polynomials.
 // As in OpenPBR 1.1, with strength s: b / a = 1 - s and a^2 + b^2 = 2 roughness^4. Follows
-// surface_microfacets.glsl. tests/fits/anisotropy.c prints its polynomials, test_principled_anisotropy.c
-// compares them with the integrals.
+// surface_microfacets.glsl. tests/fits/anisotropy.c prints its polynomials;
+// test_principled_anisotropy.c compares them with the integrals.
 //
 // The multiple-scattering loss for light from a direction v, and its share at grazing angles,
 // depend almost only on v's cosine and on the widths along v: roughness^2 g, with g^2 = 1 + k

@@ -11,14 +11,14 @@
 // The Fresnel term is Schlick's, white at the horizon; for metal with an edge tint at 82 degrees
 // (Hoffman 2019; OpenPBR 1.1). Slots that a layout lacks have the absent values of slots.def. Skies
 // are sampled where microfacets mirror them to the eye, area lights use linearly transformed
-// cosines; both are normalized to GGX's reflection of uniform light. Follows surface_microfacets.glsl
-// and surface_anisotropic.glsl.
+// cosines; both are normalized to GGX's reflection of uniform light. Follows
+// surface_microfacets.glsl and surface_anisotropic.glsl.
 struct Lit {
     vec3 normal, toEye, reflected, base, tint, dip, emissive;
     vec3 metalAgain;  // multiple-scattering color of metal
     vec3 even, gloss; // reflection of uniform light: diffuse, specular
 #ifdef LIGHT_HAS_SKY
-    vec3 roughnessAgain; // part of gloss that is scattered repeatedly, or spread by layers
+    vec3 roughnessAgain; // specular part that is scattered repeatedly, or spread by layers
 #endif
     Roughness facets;
     float metal, alpha, cosine, masked, reflectance, kept; // masked: maskedOf() toward the eye
@@ -200,8 +200,8 @@ vec2 strayed(Lit m, float stray, vec2 own)
 #endif
 
 // Computes means over all directions by Gaussian quadrature in the square root of the cosine:
-// `mean` of 1 and of albedo(); `left` of the same times the layers' transmittance; `meanMultipleScattering` of
-// strayed().
+// `mean` of 1 and of albedo(); `left` of the same times the layers' transmittance;
+// `meanMultipleScattering` of strayed().
 void litMeans(inout Lit m, out vec3 mean, out vec3 left, out vec2 meanMultipleScattering)
 {
     const vec3 PLACE = vec3(0.0337652429, 0.1693953068, 0.380690407), WEIGHT = vec3(0.0856622462, 0.1803807865, 0.2339569673);

@@ -25,8 +25,8 @@ vec3 evenFromBehind(Lit m)
 vec3 surfaceAmbient(Lit m, vec3 ambient) { return (m.even + evenFromBehind(m) + glossAround(m)) * ambient; }
 vec3 surfaceEven(Lit m) { return m.even; }
 
-// Returns the surface without gloss: without its tint the dielectric reflects nothing specularly,
-// and without its share metal reflects nothing.
+// Returns the surface without specular reflection: the dielectric loses its tint, and the metal its
+// share.
 Lit surfaceMatt(Lit m)
 {
     m.base *= 1.0 - m.metal;
@@ -182,8 +182,8 @@ vec3 skySent(SkyMicrofacets f, vec3 toEye, vec3 low, vec3 high)
     return sky_light.xyz * sum / all;
 }
 
-// Returns the reflected sky. Multiple scattering between microfacets, and gloss spread by layers,
-// count as diffuse.
+// Returns the reflected sky. Multiple scattering between microfacets, and specular light
+// that layers spread, count as diffuse.
 vec3 surfaceSky(Lit m)
 {
     vec3 sum = (m.even + m.roughnessAgain) * skyIrradiance(m.normal), once = m.gloss - m.roughnessAgain;

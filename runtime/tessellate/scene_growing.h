@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Ensures capacity for `count` elements in an array with capacity *room; `array` is the address
- * of the pointer to the array. False: out of memory, and the array is unchanged. */
+/* Ensures capacity for `count` elements in an array with capacity *capacity; `array` is the
+ * address of the pointer to the array. False: out of memory, and the array is unchanged. */
 static inline bool scene_growing(void *array, size_t count, size_t *capacity, size_t size)
 {
     const size_t least = 1024;

@@ -33,8 +33,8 @@ bool isBefore(uvec3 a, uvec3 b)
     return a.x != b.x ? a.x > b.x : a.y < b.y;
 }
 
-// Returns true if a list is sorted. Surfaces are drawn from the farthest on (gpu_scene_view.c), and the
-// last inserted fragment is the first of its list: so most lists are sorted already.
+// Returns true if a list is sorted. Surfaces are drawn from the farthest on (gpu_scene_view.c), and
+// the last inserted fragment is the first of its list: so most lists are sorted already.
 bool isSorted(uint list)
 {
     bool sorted = true;

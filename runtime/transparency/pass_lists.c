@@ -131,7 +131,7 @@ static bool pass_blend_make(Renderer *renderer)
                renderer, &(LightingText){{veil, render_text_pass_blend}, true, 0, LIGHTING_layers});
 }
 
-/* Lists are sorted in place, so that the veil pass finds them sorted. */
+/* Lists are sorted in place, so that the debug views' transparent layer finds them sorted. */
 static void pass_blend_draw(Renderer *renderer)
 {
     renderer->gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, TRANSPARENCY_LISTS,

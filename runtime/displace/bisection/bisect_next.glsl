@@ -5,7 +5,8 @@
 // since a dispatch would take longer than a round of few triangles: threads count themselves after
 // their writes, and the last one to do so continues.
 
-// Rounds of at most this size are left to bisect_single_workgroup.glsl, if present, and are not counted.
+// Rounds of at most this size are left to bisect_single_workgroup.glsl, if present, and are not
+// counted.
 #ifdef BISECT_WIDE
 const uint FEW_MERGING = 256u, FEW_WANTED = 56u;
 #else
