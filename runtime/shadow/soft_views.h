@@ -5,11 +5,11 @@
  * the center, half as wide as the map, the face along the normal; around it, a quarter wide, the
  * front halves of the cube's four sides. The map's corners are empty.
  *
- *        . .+--+. .      The light's axes: x along u, z along the normal, y = z cross x. A
- * direction . .|+y|. .      (x, y, z) with z the greatest is at (x, y) / z, which goes from -1
- *        +--+--+--+      to 1 across the middle. With x the greatest, it is at (2 - z / x, y / x):
- *        |-x| z|+x|      from 1, where the middle ends, to 2, in the light's plane.
- *        +--+--+--+
+ *        . .+--+. .      The light's axes: x along u, z along the normal, y = z cross x.
+ *        . .|+y|. .      A direction (x, y, z) with z the greatest is at (x, y) / z, which goes
+ *        +--+--+--+      from -1 to 1 across the middle. With x the greatest, it is at
+ *        |-x| z|+x|      (2 - z / x, y / x): from 1, where the middle ends, to 2, in the light's
+ *        +--+--+--+      plane.
  *        . .|-y|. .      Worked example: a map of 16 texels, a direction (4, 2, 2). x is greatest:
  *        . .+--+. .      it is at (1.5, 0.5), a texel is 0.25 wide, and the middle of the map is
  *                        at 8: texel (14, 10). Depth there is near / 4. */
