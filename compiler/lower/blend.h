@@ -5,10 +5,9 @@
 #include "compiler/lower/lower.h"
 
 enum {
-    BLEND_CHEAP =
-        /* Scalar operations from which on one item counts as costly; below it, all items of a
-         * Blend together count as cheap. */
-    40,
+    /* Scalar operations from which on one item counts as costly; below it, all items of a
+     * Blend together count as cheap. */
+    BLEND_CHEAP = 40,
     /* Number of items up to which mixing, with a branch for each costly item, is cheaper than a
      * binary search. */
     BLEND_MAX_MIXES = 8,

@@ -69,10 +69,11 @@ typedef struct {
     Slopes column[2];      /* if count > 1: images of (1, 0) and (0, 1) */
 } UvTransformChain;
 
+/* An environment's number is PLACE_STRIDE * place + filter depth; the stride is above
+ * LIMIT_FILTERS. */
+enum { PLACE_STRIDE = 8 };
 /* An environment in which a Triplanar queries its maps: a texture coordinate within the
  * environment of number `outer`. */
-/* An environment's number is PLACE_STRIDE * place + filter depth; above LIMIT_FILTERS. */
-enum { PLACE_STRIDE = 8 };
 typedef struct {
     Ref uv;
     int outer;
@@ -133,8 +134,8 @@ typedef struct {
     uint8_t *uniform_use;   /* by uniform: 1 used as a count, 2 as a number */
     /* Blends whose coordinates are checked at the end, last first; lower_lint.c. */
     const struct Crossing *crossing;
-    const struct DisplacementFound
-        *reliefs;  /* displacements whose slopes are checked, last first */
+    /* displacements whose slopes are checked, last first */
+    const struct DisplacementFound *reliefs;
     bool detached; /* slopes were marked by OP_detach as a footprint's */
     bool failed;   /* a diagnostic was reported */
 } Lower;

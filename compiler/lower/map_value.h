@@ -1,4 +1,4 @@
-/* Arithmetic on map values (Answer): computes the value and the variance that its mean leaves
+/* Arithmetic on map values (MapValue): computes the value and the variance that its mean leaves
  * out of the pixel.
  *   granite: value %7, variance %9; twice of it: value mul %7 2, variance mul %9 mul 2 2 */
 #ifndef MATC_MAP_VALUE_H

@@ -7,10 +7,9 @@
 /* Prices of maps in document order; each map is listed once. */
 typedef struct {
     int *ends; /* per map: its index + 1 */
-    double *
-        /* upto[n]: additional cost of the first n means over point samples, in scalar
-         * operations; ascending. */
-        upto;
+    /* upto[n]: additional cost of the first n means over point samples, in scalar
+     * operations; ascending. */
+    double *upto;
     int count;
     int known; /* prices of the first `known` maps are found; the next exceeds the limit */
     int alike; /* for the first `alike` maps, means equal points */

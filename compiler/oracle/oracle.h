@@ -44,8 +44,8 @@ bool oracle_surface_set(Surface *surface, const char *name, double value);
 bool oracle_surface_attribute(const Graph *graph, Surface *surface, const char *name, double value);
 
 typedef struct {
-    double component[SLOT_COUNT]
-                    [4]; /* components of slot_table[slot].type; the rest 0; unclamped */
+    /* components of slot_table[slot].type; the rest 0; unclamped */
+    double component[SLOT_COUNT][4];
 } SlotValues;
 
 /* State shared by the points of one document: baked textures and the memo. Not thread-safe. */

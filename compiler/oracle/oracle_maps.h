@@ -69,10 +69,9 @@ typedef struct Environment {
     const Surface *surface;
     uint64_t stamp;
     int depth;
-    struct Environment
-        /* The point to which this one is adjacent, unless --derivatives=analytic; NULL: not
-         * adjacent. */
-        *centre;
+    /* The point to which this one is adjacent, unless --derivatives=analytic; NULL: not
+     * adjacent. */
+    struct Environment *centre;
     const Surface *mesh; /* the surface before displacement; NULL: not displaced */
     /* the point to which this one is adjacent, for any --derivatives; NULL: not adjacent */
     struct Environment *origin;

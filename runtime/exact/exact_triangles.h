@@ -16,10 +16,9 @@ typedef struct {
 } ExactObject;
 
 typedef struct {
-    double origin
-        /* World position to which corners are relative: near the center of all objects, on a
-         * grid, so that it rarely changes. */
-        [3];
+    /* World position to which corners are relative: near the center of all objects, on a
+     * grid, so that it rarely changes. */
+    double origin[3];
     double reach; /* the greatest absolute coordinate relative to the origin */
     int count;
     ExactObject *objects; /* in the order of GpuScene.places: opaque objects first */

@@ -270,9 +270,8 @@ static bool divide_to_patches(const SceneDisplacing *how, const Shape *from, Sha
     enum { USUAL_TRIANGLES = 256 };
     const bool by_picture = how->pixels > 0;
     const int parts = parts_of(how, from);
-    const bool rounded =
-        /* rounding uses the corners of the mesh's own triangles */
-        how->dividing.push != 0 || how->dividing.bulge > 0;
+    /* rounding uses the corners of the mesh's own triangles */
+    const bool rounded = how->dividing.push != 0 || how->dividing.bulge > 0;
     const int across = how->method == KEYWORD_Displacing_feedback ||
                                how->method == KEYWORD_Displacing_bisection || rounded
                            ? 1

@@ -10,10 +10,9 @@ enum { SCENE_FINE_MIN = 128 /* min triangles of a displaced mesh, for hardly vis
 typedef struct {
     int triangles; /* approximate number of triangles after division */
     int steps;     /* steps of the solid that is displaced; 0: its own steps */
-    double
-        /* Length of the intervals of the logarithm of size in which copies share a mesh; 0: only
-         * equal sizes do. */
-        share;
+    /* Length of the intervals of the logarithm of size in which copies share a mesh; 0: only
+     * equal sizes do. */
+    double share;
     double number; /* number of the interval of sizes */
     /* factor from the object's size to the middle of the interval, for which the mesh is made */
     double scale;

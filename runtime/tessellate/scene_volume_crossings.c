@@ -14,10 +14,9 @@
 
 enum { HALVINGS = 10, BATCH = 4096 };
 static const double truncation = .2; /* parameter of ITP */
-static const double jump =
-    /* Share of f's difference between the ends of an edge; a greater difference over a 1024th is
-     * a cliff. */
-    1. / 16;
+/* Share of f's difference between the ends of an edge; a greater difference over 1/1024 of the edge
+ * is a cliff. */
+static const double jump = 1. / 16;
 
 /* Search for a node along an edge: between low and high, only one of which is solid. */
 typedef struct {

@@ -10,10 +10,9 @@ enum {
     CORNER_BYTES = 3 * sizeof(MeshCaptured),
     ID_BITS = 40,
     DEEPEST = 28,
-    SAMPLES_SHARE =
-        /* Deviations are evaluated on parts of a size at which a base has as many as it has
-         * final triangles, divided by this number. */
-    8,
+    /* Deviations are evaluated on parts of a size at which a base has as many as it has
+     * final triangles, divided by this number. */
+    SAMPLES_SHARE = 8,
     PARTS_MAX = 6,   /* at most 2^6 parts per triangle: coarser ones are always bisected */
     PLACE_BITS = 24, /* bits of a leaf's slot in the table */
     RANGE_PARTS = 4  /* ranges are stored down to triangles of 2^4 such parts */

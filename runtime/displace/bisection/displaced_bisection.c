@@ -209,9 +209,8 @@ static bool update(Displaced *d)
     bisection_set_number(d, "bisect_gone", b->gone);
     look(d, high);
     b->looks++;
-    const int one_more =
-        /* On hardware run_few() finishes the rounds that are left. */
-        displaced_context(d)->hardware ? 0 : 1;
+    /* On hardware run_few() finishes the rounds that are left. */
+    const int one_more = displaced_context(d)->hardware ? 0 : 1;
     int merging = b->rounds[0] + one_more, splitting = b->rounds[1] + one_more;
     do {
         run_rounds(d, merging, splitting);

@@ -7,10 +7,9 @@
 #include "runtime/displace/displaced.h"
 
 typedef struct {
-    Material
-        /* Draws hulls: writes the depth, and the surface point that the ray hits. The caller
-         * sets its uniforms trace_viewer, trace_pixel and trace_offset. */
-        trace;
+    /* Draws hulls: writes the depth, and the surface point that the ray hits. The caller
+     * sets its uniforms trace_viewer, trace_pixel and trace_offset. */
+    Material trace;
     Mesh hulls;    /* closed hulls, facing outward; for parallax the base triangles */
     int triangles; /* number of triangles of a hull: 8, or 1 for parallax */
     /* Marches along the tangent plane of a base triangle: parallax_fragment.glsl. Shadow maps
