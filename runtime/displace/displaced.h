@@ -57,6 +57,6 @@ bool displaced_by_view(const Displaced *displaced);
 bool displaced_by_lights(const Displaced *displaced);
 /* Reads the last written triangles. False: failed, see the context's error; *made is empty. */
 bool displaced_read(const Displaced *displaced, const Mesh *mesh, Shape *made);
-/* Deletes and empties; safe on an empty one. */
+/* Deletes all resources and zeroes the struct; also valid for a zeroed struct. */
 void displaced_delete(Displaced *displaced);
 #endif

@@ -18,8 +18,8 @@ typedef struct {
 typedef struct DisplacedMethod {
     Keyword word; /* keyword of the list Displacing */
     bool by_view; /* triangles depend on the camera, whatever the key `pixels` says */
-    /* The driver supports the method, in addition to displaced_supported()'s requirements. NULL:
-     * always. */
+    /* Returns whether the driver supports the method, in addition to displaced_supported()'s
+     * requirements. NULL: always true. */
     bool (*there)(const GlContext *gl);
     /* Makes `material` and the method's state `own`. False: failed, see the context's error;
      * `forget` is called if there is a material. */

@@ -30,6 +30,6 @@ bool exact_cover_make(ExactCover *cover, const Scene *scene, const ExactTriangle
 int exact_cover_longest(const ExactCover *cover);
 /* Deletes the lists, and keeps the programs. */
 void exact_cover_empty(ExactCover *cover);
-/* Frees and empties; safe on an empty one. */
+/* Frees all resources and zeroes the struct; also valid for a zeroed struct. */
 void exact_cover_close(ExactCover *cover);
 #endif

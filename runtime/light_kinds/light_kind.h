@@ -14,12 +14,12 @@ typedef struct {
     double position[3];
     double direction[3];               /* direction of emission; unit length */
     double light[3];                   /* emitted color: intensity times color */
-    double ground[3];                  /* hemispheres: the same from below */
+    double ground[3];                  /* hemispheres: emitted color from below */
     double inner_cosine, outer_cosine; /* cosines of a spot's cone angles: inner >= outer */
     double edges[2][3];                /* edge vectors of an area light */
     bool both_sides;                   /* an area light also emits to the back */
     const char *name;                  /* NULL: unnamed */
-    /* The shadow technique of its light: KEYWORD_Shadows_none, ... */
+    /* The technique of the shadows that the light causes: KEYWORD_Shadows_none, ... */
     Keyword shadows;
 } SceneLight;
 
@@ -76,9 +76,9 @@ typedef struct {
      * all kinds share. False: invalid, see `fault`. NULL: no own parameters. */
     bool (*read)(const LightParams *params, SceneLight *light, LightFault *fault);
     /* Light within a cone: factor s s (3 - 2 s), s = clamp(scale cosine + shift, 0, 1) of the
-     * angle from the direction. NULL: the same in all directions. */
+     * angle from the direction. NULL: no cone, the light is the same in all directions. */
     void (*cone)(const SceneLight *light, double scale_shift[2]);
-    /* Draws the light as a gizmo. NULL: nothing. */
+    /* Draws the light as a gizmo. NULL: the light has no gizmo. */
     void (*outline)(const SceneLight *light, LightLines *lines);
 } LightKind;
 

@@ -59,8 +59,8 @@ struct ShadowMethod {
     /* Return whether the row uses the target: before, and after, the scene's surfaces are known. */
     bool (*seen_wanted)(const Renderer *renderer);
     bool (*seen_needed)(const Renderer *renderer);
-    void (*seen_bind)(
-        const Renderer *renderer); /* binds the inputs of the programs with this text */
+    /* binds the inputs of the programs with this text */
+    void (*seen_bind)(const Renderer *renderer);
     /* The format of a target that the technique uses; NULL: the default. */
     const char *(*target)(const Renderer *renderer, FrameTarget target);
 
@@ -68,7 +68,7 @@ struct ShadowMethod {
      * one view of all casters instead of cascades. */
     bool border, single;
     bool views; /* the technique's GLSL defines SHADOW_CALL_view */
-    /* Silhouette crossings are found; NULL: never. */
+    /* Returns whether silhouette crossings are found in the views. NULL: never. */
     bool (*crossed)(const Scene *scene);
 
     /* called after the GPU scene and views, before the frame's passes */
@@ -79,8 +79,8 @@ struct ShadowMethod {
     void (*draw)(Renderer *renderer, const GpuSceneSource *source, int view);
     void (*drawn)(Renderer *renderer);                  /* called when all depth maps are drawn */
     bool (*changed)(Renderer *renderer, unsigned what); /* `what`: a set of FrameChange */
-    bool (*moved)(Renderer *renderer, int first,
-                  int count);           /* called after these objects have moved */
+    /* called after these objects have moved */
+    bool (*moved)(Renderer *renderer, int first, int count);
     void (*forget)(Renderer *renderer); /* frees all resources of the scene */
     void (*close)(Renderer *renderer);  /* frees all resources of the renderer */
 
@@ -94,8 +94,8 @@ struct ShadowMethod {
     void (*put)(Text *out, const Renderer *renderer); /* writes lines for --stats */
     void (*put_time)(Text *out, Renderer *renderer);
 
-    /* A debug view by its name, or NULL; its resources, made with the pass tools, and drawn to
-     * the targets light and tools, with depth. */
+    /* Finds a debug view by its name, or returns NULL; makes its resources, with the pass tools;
+     * draws it to the targets light and tools, with depth. */
     const FrameLook *(*look)(const char *name);
     bool (*look_make)(Renderer *renderer);
     void (*look_place)(Renderer *renderer); /* called when the tile or the camera has moved */

@@ -46,6 +46,6 @@ bool shadow_views_make(const ShadowMethod *const *methods, const Scene *scene,
 int shadow_views_varying(const GpuScene *gpu_scene);
 /* Returns the half spaces that bound a view's map. */
 CullVolume shadow_views_volume(const ShadowView *view);
-/* Frees and empties; safe on an empty one. */
+/* Frees all memory and zeroes the struct; also valid for a zeroed struct. */
 void shadow_views_free(ShadowViews *views);
 #endif

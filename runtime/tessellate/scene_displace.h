@@ -12,7 +12,7 @@ bool scene_displace(Scene *scene, struct Session *session, const MatcOptions *op
 void scene_displace_free(Scene *scene);
 
 /* Effect of a change on meshes: `none`: no mesh depends on it; `same`: meshes are unchanged;
- * `anew`: objects have new meshes, so the renderer must be rebuilt; `failed`: new meshes could
+ * `rebuilt`: objects have new meshes, so the renderer must be rebuilt; `failed`: new meshes could
  * not be made, and objects keep the old ones. */
 typedef enum {
     SCENE_DISPLACED_none,

@@ -19,7 +19,7 @@ typedef struct {
 } SceneFineness;
 
 /* Decides by the total number of triangles whether detail is view-dependent; then sets the steps
- * of solids that are not displaced. The displacer has its bases already. */
+ * of solids that are not displaced. Called when the displacer has its bases. */
 void scene_fine_choose(Scene *scene, Arena *arena);
 /* Updates view-dependent detail for another picture size. */
 void scene_fine_look(Scene *scene, int width, int height);

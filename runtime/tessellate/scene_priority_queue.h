@@ -15,7 +15,7 @@ typedef struct {
     size_t count, capacity;
 } ScenePriorityQueue;
 
-/* Inserts a rank, or replaces the triangle's. False: out of memory. */
+/* Inserts a triangle with its error. False: out of memory. */
 bool scene_priority_queue_put(ScenePriorityQueue *ranks, ScenePriority rank);
 /* Removes the largest; the queue must not be empty. */
 ScenePriority scene_priority_queue_take(ScenePriorityQueue *ranks);

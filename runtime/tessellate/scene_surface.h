@@ -28,7 +28,7 @@ typedef struct {
 } SceneSurface;
 
 /* Makes the surface of `count` objects, in the space of their matrices; none may be a Plane.
- * False: out of memory, and nothing is made. */
+ * False: out of memory, or too many triangles; nothing remains allocated. */
 bool scene_surface_make(const Scene *scene, const SceneObject *objects, int count,
                         SceneSurface *made);
 void scene_surface_free(SceneSurface *surface);

@@ -11,7 +11,7 @@ typedef struct {
     SceneSolid *solid;
     void *user;
     int parts;     /* parts of an edge of the shape; 0: chosen by `triangles` */
-    int triangles; /* approximate number */
+    int triangles; /* approximate number of triangles */
 } SceneVolume;
 
 /* Makes the solid parts over a shape, closed at its boundary. Pieces and gaps thinner than a

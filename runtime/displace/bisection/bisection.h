@@ -66,7 +66,8 @@ bool bisection_supported(const GlContext *gl);
  * context's error. */
 bool bisection_make(const DisplacedMaking *making, Displaced *made);
 void bisection_forget(Displaced *displaced);
-/* Resizes the buffers to `room` leaves and their corners in the mesh; existing leaves are kept. */
+/* Resizes the buffers to `capacity` leaves and their corners in the mesh; existing leaves are kept.
+ */
 bool bisection_capacity(Displaced *displaced, Mesh *mesh, int capacity);
 /* Returns the bytes of the buffer of lists for `places` leaves. */
 size_t bisection_work_bytes(const Bisection *b, size_t places);

@@ -200,7 +200,7 @@ size_t bisection_leaf_bytes(size_t places)
            ((places + BISECTION_BLOCK - 1) / BISECTION_BLOCK);
 }
 
-/* Ensures capacity for `room` leaves. A fresh evaluation adds one table entry per slot, and a
+/* Resizes the buffers to `capacity` leaves. A fresh evaluation adds one table entry per slot, and a
  * view's rounds add one per merge and two per bisection: update() starts a new table when not
  * enough entries are free. */
 bool bisection_capacity(Displaced *d, Mesh *mesh, int capacity)

@@ -10,13 +10,12 @@ uint32_t *displaced_bisection_bases(const ScenePatches *patches, size_t *count);
 /* Memory of a mesh, and statistics of the last view. */
 typedef struct {
     int leaves, splits, merges; /* counts of the last view */
-    size_t kept,
-        /* Bytes that persist from view to view, for used slots and ranges; and bytes of scratch
-         * data, for all slots. */
-        scratch;
-    int looks;     /* number of evaluated leaves */
-    int looked;    /* leaves evaluated */
-    double pixels; /* tolerated deviation in pixels that the triangles allowed */
+    /* Bytes that persist from view to view, for used slots and ranges; and bytes of scratch
+     * data, for all slots. */
+    size_t kept, scratch;
+    int looks;     /* number of evaluation passes, over all tiles of leaves or the due ones */
+    int looked;    /* leaf slots evaluated by these passes */
+    double pixels; /* tolerated deviation in pixels for which the triangles sufficed */
 } DisplacedBisectionCost;
 DisplacedBisectionCost displaced_bisection_cost(const Displaced *displaced);
 /* Returns the current leaves as base << 32 | number, unordered: `*count` of them, from malloc;
