@@ -146,7 +146,7 @@ vec3 exactPoint(vec3 point, vec3 normal, float pixel); // defined in exact_seen.
 vec3 exactPoint(vec3 point, vec3 normal, float pixel) { return exact_eye.xyz + exactDirection(point + normal * (pixel / 64.0)); }
 #endif
 
-// Returns the transmitted light (entry point, called by shadow_text.c's functions).
+// Returns the share of a light that arrives (entry point, called by shadow_text.c's functions).
 vec3 exactLight(int number, ivec2 views, vec3 point, vec3 side, float size, ivec2 pixel)
 {
     return exactShare(number, exactPoint(point, side, size));

@@ -8,7 +8,7 @@
 // glass_store.glsl.
 layout(std140) uniform ContactSheet {
     mat4 sheet_worldFromEye;
-    vec4 sheet_ray;   // like light_ray and light_view
+    vec4 sheet_ray; // like light_ray and light_view
     vec4 sheet_view;
     vec4 sheet_light; // in eye space: its position, w 1, or the direction to it, w 0
     vec4 sheet_plane; // the plane in eye space

@@ -53,7 +53,8 @@ int shadow_method_lights(const Renderer *renderer, Keyword word)
     return count;
 }
 
-/* Rays from points of an area light pass outside the view's surroundings. */
+/* Combines the needs of all lights. An area light also needs fine casters outside the view: rays
+ * from its inside pass objects that are outside the views of its points. */
 ShadowNeeds shadow_methods_need(const Renderer *renderer)
 {
     ShadowNeeds needs = {.even = true};

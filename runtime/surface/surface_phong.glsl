@@ -62,7 +62,8 @@ vec3 surfaceGloss(Lit m) { return m.specular; }
 vec3 surfaceMirror(Lit m) { return m.reflected; }
 float surfaceExponent(Lit m) { return m.shininess; }
 
-// Returns the reflected light. Light that is transmitted straight has no cosine factor.
+// Returns the share of light from direction l that reaches the eye, including the cosine. Light
+// that is transmitted straight has no cosine factor.
 vec3 surfaceLobe(Lit m, vec3 l)
 {
     float cosine = dot(m.normal, l);

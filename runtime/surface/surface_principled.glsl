@@ -24,8 +24,8 @@ struct Lit {
     float metal, alpha, cosine, masked, reflectance, kept; // masked: maskedOf() toward the eye
     // multiple scattering; diffuse transmittance to the eye, layers included
     TONE again, baseOfEye;
-    TONE baseRatio;                                        // baseOfEye over the mean transmittance
-    float lossRatio;                                       // ratio for the multiple-scattering lobe
+    TONE baseRatio;  // baseOfEye over the mean transmittance
+    float lossRatio; // ratio for the multiple-scattering lobe
 #ifdef LIT_ANISOTROPY
     Anisotropy anisotropy;
 #endif
@@ -49,7 +49,7 @@ struct Lit {
     float coat, coatShine, coatAlpha, coatReflectance, coatLobe, coatMasked;
     float coatOfEye, coatMean; // transmittance: for the eye, and the mean
     vec2 coatVeil;             // veiled(), for the base's reflection
-    Row spread; // loss of a white rough mirror below, by angle
+    Row spread;                // loss of a white rough mirror below, by angle
     float stray;
 #endif
 #ifdef LIT_FUZZ

@@ -64,8 +64,9 @@ vec3 fromBehind(Lit m, vec3 l, float cosine)
 }
 #endif
 
-// Returns the reflected light from direction l. Values that do not depend on l are in m. A lobe of
-// weight 0 is skipped, which a GPU does if all threads of a group agree.
+// Returns the share of light from direction l that reaches the eye, including the cosine. Values
+// that do not depend on l are in m. A lobe of weight 0 is skipped, which a GPU does if all threads
+// of a group agree.
 vec3 surfaceLobe(Lit m, vec3 l)
 {
     float cosine = dot(m.normal, l);

@@ -6,7 +6,7 @@ uniform sampler2D peel_depth;   // depth of opaque surfaces
 uniform usampler2D peel_behind; // keys of the layer behind this one
 uniform float peel_stride;      // maximum number of triangles of an object, over 256
 #ifdef PEEL_INSTANCES
-flat in uint peel_object;       // the object's index in drawing order
+flat in uint peel_object; // the object's index in drawing order
 #else
 uniform float peel_object;
 #endif

@@ -58,13 +58,13 @@ coherent
 layout(std430, binding = 4) buffer BisectRows {
     float bisect_rows[];
 };
-uniform int bisect_capacity;        // slots for leaves
-uniform int bisect_baseBits;    // bits of a base's number
-uniform int bisect_tableBits;   // log2 of the table's size
-// number of the search, from 1 to 255: older table entries are empty
+uniform int bisect_capacity;  // slots for leaves
+uniform int bisect_baseBits;  // bits of a base's number
+uniform int bisect_tableBits; // log2 of the table's size
+// stamp of this evaluation, from 1 to 255: table entries with another stamp are empty
 uniform int bisect_stamp;
-uniform float bisect_worst;     // upper bound of any deviation
-uniform int bisect_coarse;      // triangles of less depth are always bisected
+uniform float bisect_worst; // upper bound of any deviation
+uniform int bisect_coarse;  // triangles of less depth are always bisected
 
 #include "bisection.layout.def"
 const uint BISECT_NONE = 0xFFFFFFFFu;

@@ -15,18 +15,18 @@ layout(std430, binding = 5) buffer BisectRanges {
     uvec2 bisect_ranges[];
 };
 uniform int bisect_ranged;
-uniform int bisect_deepest;     // triangles of this depth are bisected only for a neighbor's sake
-uniform vec3 bisect_reach;      // maximum displacement along the world's axes
-uniform vec4 bisect_eye;        // (position, 1); or for parallel rays (direction toward the eye, 0)
+uniform int bisect_deepest; // triangles of this depth are bisected only for a neighbor's sake
+uniform vec3 bisect_reach;  // maximum displacement along the world's axes
+uniform vec4 bisect_eye;    // (position, 1); or for parallel rays (direction toward the eye, 0)
 // frustum planes, by columns, with unit normals: negative products are outside
 uniform mat4 bisect_sides;
-uniform vec4 bisect_front;      // the near plane, in the same form
-uniform float bisect_near;      // lower bound of distances
-uniform float bisect_scale;     // pixels per unit length at distance 1
-uniform float bisect_pixels;    // tolerated deviation
-uniform int bisect_closed;      // 3 (corners): closed mesh whose back faces are invisible; else 0
-uniform float bisect_gone;      // distance that the camera has moved
-uniform float bisect_slack;     // rounding error of bisect_gone
+uniform vec4 bisect_front;   // the near plane, in the same form
+uniform float bisect_near;   // lower bound of distances
+uniform float bisect_scale;  // pixels per unit length at distance 1
+uniform float bisect_pixels; // tolerated deviation
+uniform int bisect_closed;   // 3 (corners): closed mesh whose back faces are invisible; else 0
+uniform float bisect_gone;   // distance that the camera has moved
+uniform float bisect_slack;  // rounding error of bisect_gone
 
 const float BISECT_SURE = 1e30;
 

@@ -3,8 +3,8 @@
 layout(std430, binding = 5) readonly buffer TraceNodes {
     vec4 trace_nodes[];
 };
-uniform vec2 trace_pixel;           // a pixel's size in clip space
-uniform vec2 trace_corner;          // clip-space position of gl_FragCoord 0
+uniform vec2 trace_pixel;  // a pixel's size in clip space
+uniform vec2 trace_corner; // clip-space position of gl_FragCoord 0
 // approximate point where the ray leaves the hull, in object space
 in vec3 trace_leaves;
 // origin of the ray: the eye and 1, or the direction toward it and 0

@@ -319,7 +319,7 @@ static bool pass_volume_changed(Renderer *renderer, unsigned what)
     return true;
 }
 
-/* Fits shadow maps again after objects have moved, since their views depend on objects. */
+/* Updates the matrices after objects have moved, since the views are fitted to objects. */
 static bool pass_volume_moved(Renderer *renderer, int first, int count)
 {
     (void)first, (void)count;

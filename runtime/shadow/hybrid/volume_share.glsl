@@ -58,7 +58,7 @@ float volumeShare(int number, ivec2 views, vec3 point, ivec2 at)
 }
 #endif
 
-// Returns the transmitted light (entry point, called by shadow_text.c's functions).
+// Returns the share of a light that arrives (entry point, called by shadow_text.c's functions).
 vec3 volumeLight(int number, ivec2 views, vec3 point, vec3 side, float size, ivec2 pixel)
 {
     shadow_apart = true;
