@@ -52,7 +52,7 @@ struct ShadowMethod {
     /* handles opaque casters itself: its maps are read for transparent ones only, and have no
      * alpha-tested ones */
     bool apart;
-    bool even; /* handles all casters except those of varying transparency, which maps have */
+    bool even; /* handles all casters except those of varying transparency, which are in maps */
     /* Text with which opaque surfaces' programs write the target `seen`, for the first row with
      * `seen_wanted`. */
     const TriangleIdText *seen;

@@ -63,7 +63,7 @@ void volume_blur_delete(Renderer *renderer);
 bool volume_data_make(Renderer *renderer);
 /* Writes the buffers, after the maps are drawn. */
 void volume_data_write(Renderer *renderer);
-/* Defines for the vertex program; `shown`: of a debug view. */
+/* Returns the macro definitions of the vertex program; `shown`: for a debug view. */
 const char *volume_data_text(const Renderer *renderer, bool shown);
 void volume_data_draw(const Renderer *renderer, int view, bool shown);
 /* Appends a line for --stats. */
@@ -77,7 +77,7 @@ bool volume_cells_are(const Renderer *renderer);
 bool volume_cells_make(Renderer *renderer);
 /* Lists the cells of all views, after the maps are drawn. */
 void volume_cells_write(Renderer *renderer);
-/* Defines for the vertex program: it draws listed cells, or all. */
+/* Returns the macro definitions of the vertex program that draws listed cells, or all. */
 const char *volume_cells_head(bool listed);
 /* Returns GLSL declarations of the samplers that volume_cells.glsl reads. */
 const char *volume_cells_maps(void);
