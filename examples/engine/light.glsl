@@ -34,7 +34,7 @@ void main() {
 #ifdef SURFACE_HAS_metalness
     vec3 mirrored = glossAround(m);
 #else
-    vec3 mirrored = surfaceGloss(m);
+    vec3 mirrored = surfaceSpecular(m);
 #endif
     vec3 sum = surfaceOwn(m) + surfaceEven(m) * capacity(m.normal, 1.) + mirrored * capacity(m.reflected, .5);
     for (int i = 0; i < LIGHTS; i++) sum += surfaceLobe(m, direction[i]) * power[i];

@@ -23,8 +23,8 @@ static bool has_time(const Work *w) { return meter_now() - w->start < w->request
 
 static void measure_errors(Work *w, Candidate *candidates, int count, MeasuredList *list)
 {
-    list->at = errors_capacity((size_t)count, sizeof *list->at);
-    w->materials = errors_capacity((size_t)count, sizeof *w->materials);
+    list->at = errors_allocate((size_t)count, sizeof *list->at);
+    w->materials = errors_allocate((size_t)count, sizeof *w->materials);
     for (int i = 0; i < count; i++) {
         Measured *m = &list->at[list->count];
         Material *material = &w->materials[list->count];
@@ -64,7 +64,7 @@ static bool make_targets(Work *w, const MeasuredList *list, Framebuffer targets[
 /* Returns the number of timing rounds that fit into the remaining time. */
 static int find_rounds(Work *w, const MeterDraw *draws, int count)
 {
-    double *scratch = errors_capacity((size_t)count, sizeof *scratch), start = meter_now();
+    double *scratch = errors_allocate((size_t)count, sizeof *scratch), start = meter_now();
     meter_time(w->meter, draws, count, 1, scratch);
     double once = meter_now() - start, left = w->request->seconds - (start - w->start) - once;
     free(scratch);
@@ -75,8 +75,8 @@ static bool measure_times(Work *w, MeasuredList *list)
 {
     Framebuffer targets[LAYOUT_COUNT], plain;
     Material constant = {0};
-    MeterDraw *draws = errors_capacity((size_t)list->count + 1, sizeof *draws);
-    double *nanoseconds = errors_capacity((size_t)list->count + 1, sizeof *nanoseconds);
+    MeterDraw *draws = errors_allocate((size_t)list->count + 1, sizeof *draws);
+    double *nanoseconds = errors_allocate((size_t)list->count + 1, sizeof *nanoseconds);
     memset(targets, 0, sizeof targets);
     memset(&plain, 0, sizeof plain);
     bool fine = make_targets(w, list, targets, &plain) && meter_make_constant(w->meter, &constant);
@@ -100,7 +100,7 @@ static bool measure_times(Work *w, MeasuredList *list)
 
 static void mark_fronts(MeasuredList *list)
 {
-    FrontPoint *points = errors_capacity((size_t)list->count, sizeof *points);
+    FrontPoint *points = errors_allocate((size_t)list->count, sizeof *points);
     for (int front = 0; front < 2; front++) {
         for (int i = 0; i < list->count; i++)
             points[i] = (FrontPoint){list->at[i].nanoseconds,
@@ -139,7 +139,7 @@ static bool measure_candidates(Work *w, MeasuredList *list)
 
 bool autotune_variants(Meter *meter, const AutotuneRequest *request, MeasuredList *list)
 {
-    Work *w = errors_capacity(1, sizeof *w);
+    Work *w = errors_allocate(1, sizeof *w);
     Variant base;
     *list = (MeasuredList){0};
     w->meter = meter;

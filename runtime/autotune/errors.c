@@ -19,7 +19,7 @@ static void *grow(void *list, int count, int *capacity, size_t size)
     return list;
 }
 
-void *errors_capacity(size_t count, size_t size)
+void *errors_allocate(size_t count, size_t size)
 {
     void *memory = calloc(count ? count : 1, size);
     if (!memory)
@@ -38,7 +38,7 @@ static Truth *truth_of(Errors *e, const Variant *variant)
     Truth *truth = &e->truth[truth_index(variant)];
     if (truth->values)
         return truth;
-    truth->values = errors_capacity(POINTS, sizeof *truth->values);
+    truth->values = errors_allocate(POINTS, sizeof *truth->values);
     truth->unknown = !autotune_reference(e->request, variant, e->vertices, truth->values);
     return truth;
 }
@@ -75,7 +75,7 @@ bool errors_open(Errors *e, Meter *m, const AutotuneRequest *request)
 static int mean_side(Errors *e, const MeterDraw *draw)
 {
     const double seconds = clamp(e->request->seconds / 50, 0.05, 0.8);
-    float *scratch = errors_capacity(MEASURE_SIDE * MEASURE_SIDE * 4, sizeof *scratch);
+    float *scratch = errors_allocate(MEASURE_SIDE * MEASURE_SIDE * 4, sizeof *scratch);
     meter_draw_mean(e->meter, draw, 1, scratch);
     double start = meter_now();
     meter_draw_mean(e->meter, draw, 2, scratch);
@@ -104,7 +104,7 @@ static const float *mean_of(Errors *e, const Variant *variant, int slot)
         variant_compile(e->request->document, e->request->material, MATC_FRAGMENT, &options);
     Material material = {0};
     const MeterDraw draw = {&material, &e->view, &e->picture};
-    float *mean = errors_capacity(MEASURE_SIDE * MEASURE_SIDE * 4, sizeof *mean);
+    float *mean = errors_allocate(MEASURE_SIDE * MEASURE_SIDE * 4, sizeof *mean);
     if (program && meter_make_material(e->meter, program, &material) &&
         meter_draw_mean(e->meter, &draw, mean_side(e, &draw), mean))
         truth->mean[slot] = mean;
@@ -139,7 +139,7 @@ static Distance find_aliased(Errors *e, const Variant *variant, int slot, Materi
     if (!e->request->aliasing || slot == SLOT_normal || slot == SLOT_coatNormal)
         return none;
     const float *wanted = mean_of(e, variant, slot);
-    float *found = errors_capacity(MEASURE_SIDE * MEASURE_SIDE * 4, sizeof *found);
+    float *found = errors_allocate(MEASURE_SIDE * MEASURE_SIDE * 4, sizeof *found);
     if (wanted &&
         meter_draw_mean(e->meter, &(MeterDraw){material, &e->view, &e->picture}, 1, found))
         none = picture_distance(slot, found, wanted);
@@ -150,8 +150,8 @@ static Distance find_aliased(Errors *e, const Variant *variant, int slot, Materi
 static Distance find_computed(Errors *e, const Variant *variant, int slot, Material *material)
 {
     Distance result = {NAN, NAN};
-    float(*rgba)[4] = errors_capacity(POINTS, sizeof *rgba);
-    SlotValues *found = errors_capacity(POINTS, sizeof *found);
+    float(*rgba)[4] = errors_allocate(POINTS, sizeof *rgba);
+    SlotValues *found = errors_allocate(POINTS, sizeof *found);
     if (meter_draw_points(e->meter, material, &e->points, rgba)) {
         for (int i = 0; i < POINTS; i++)
             for (int component = 0; component < 4; component++)
@@ -217,7 +217,7 @@ static bool find_packed(Errors *e, Measured *m, MatcProgram *program, Material *
     const Layout layout = (Layout)m->variant.layout;
     if (!errors_has_truth(e, &m->variant))
         return false;
-    SlotValues *found = errors_capacity(POINTS, sizeof *found);
+    SlotValues *found = errors_allocate(POINTS, sizeof *found);
     bool fine = meter_make_material(e->meter, program, material) &&
                 meter_open_layout(e->meter, layout, matc_output(program, MATC_UNPACK, NULL)) &&
                 meter_draw_packed(e->meter, material, layout, &e->points, found);

@@ -42,5 +42,5 @@ bool errors_has_truth(Errors *e, const Variant *variant);
  * errors of *m. Returns false if the program cannot be drawn. */
 bool errors_measure(Errors *e, Measured *m, MatcProgram *program, Material *material);
 /* Allocates with calloc; ends the process if memory runs out. */
-void *errors_capacity(size_t count, size_t size);
+void *errors_allocate(size_t count, size_t size);
 #endif

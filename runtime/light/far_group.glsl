@@ -23,7 +23,7 @@ struct Group {
     vec3 centre, axis, view;
     float radius, cosine, sine, above, below, mirror, exponent;
     float turn, lean, spread;
-    vec3 even, dim, gloss;
+    vec3 even, dim, specular;
     bool behind;
 };
 

@@ -57,6 +57,6 @@ Group farLoad(int number)
     return Group(farTake(GROUP_CENTER), farTake(GROUP_AXIS), farTake(GROUP_VIEW), far_group[GROUP_RADIUS],
                  far_group[GROUP_COSINE], far_group[GROUP_SINE], far_group[GROUP_ABOVE], far_group[GROUP_BELOW],
                  far_group[GROUP_MIRROR], far_group[GROUP_EXPONENT], far_group[GROUP_TURN], far_group[GROUP_LEAN],
-                 far_group[GROUP_SPREAD], farTake(GROUP_EVEN), farTake(GROUP_DIM), farTake(GROUP_ROUGHNESS),
+                 far_group[GROUP_SPREAD], farTake(GROUP_EVEN), farTake(GROUP_DIM), farTake(GROUP_SPECULAR),
                  far_group[GROUP_BEHIND] > 0.0);
 }

@@ -19,7 +19,7 @@ shared uint far_nearest, far_owner; // the seed's depth, and its pixel number
 shared Seed far_seed;
 
 // Maxima over all invocations, of floats mapped to unsigned integers of the same order.
-const int LOW = 0, HIGH = 3, NORMAL = 6, ABOVE = 7, BELOW = 8, MIRROR = 9, EVEN = 10, DIM = 13, ROUGHNESS = 16, BROAD = 19,
+const int LOW = 0, HIGH = 3, NORMAL = 6, ABOVE = 7, BELOW = 8, MIRROR = 9, EVEN = 10, DIM = 13, SPECULAR = 16, BROAD = 19,
           SHARP = 20, BEHIND = 21, BOUNDS = 22;
 shared uint far_bounds[BOUNDS];
 
@@ -115,7 +115,7 @@ bool farFindSeed(uint waiting[SETS])
     return far_nearest != 0u;
 }
 
-bool farShines(Lit m) { return any(greaterThan(surfaceGloss(m), vec3(0.0))); }
+bool farShines(Lit m) { return any(greaterThan(surfaceSpecular(m), vec3(0.0))); }
 
 // Reports whether a pixel is close to the seed and has a similar normal and specular lobe.
 bool farIsAlike(Seen seen, Seed seed)
@@ -131,7 +131,7 @@ void farSpread(int group, inout uint waiting[SETS], inout uint map[SETS])
 {
     bool last = group == FAR_GROUPS - 1, some = false;
     Seed seed = far_seed; // one read: some drivers serialize reads of shared memory
-    vec3 high = vec3(-NEVER), low = high, even = high, dim = high, gloss = high;
+    vec3 high = vec3(-NEVER), low = high, even = high, dim = high, specular = high;
     float normal = -NEVER, above = normal, below = normal, mirror = normal, broad = normal, sharp = normal, behind = 0.0;
     for (int i = 0; i < SETS; i++)
         for (uint left = waiting[i]; left != 0u; left &= left - 1u) {
@@ -148,7 +148,7 @@ void farSpread(int group, inout uint waiting[SETS], inout uint map[SETS])
             normal = max(normal, -dot(seen.m.normal, seed.axis));
             even = max(even, surfaceEven(seen.m));
             dim = max(dim, -surfaceEven(seen.m));
-            gloss = max(gloss, surfaceGloss(seen.m));
+            specular = max(specular, surfaceSpecular(seen.m));
             if (farShines(seen.m)) {
                 mirror = max(mirror, -dot(surfaceMirror(seen.m), seed.mirror));
                 broad = max(broad, -surfaceExponent(seen.m));
@@ -161,7 +161,7 @@ void farSpread(int group, inout uint waiting[SETS], inout uint map[SETS])
     farRaise3(LOW, low);
     farRaise3(EVEN, even);
     farRaise3(DIM, dim);
-    farRaise3(ROUGHNESS, gloss);
+    farRaise3(SPECULAR, specular);
     farRaise(NORMAL, normal);
     farRaise(ABOVE, above);
     farRaise(BELOW, below);
@@ -191,7 +191,7 @@ Group farFindGroup()
     group.mirror = clamp(-farBound(MIRROR) - rounding, -1.0, 1.0);
     group.even = farBound3(EVEN);
     group.dim = max(-farBound3(DIM), 0.0);
-    group.gloss = farBound3(ROUGHNESS);
+    group.specular = farBound3(SPECULAR);
     group.exponent = clamp(-farBound(BROAD), 0.0, 65504.0);
     group.turn = sqrt(2.0 - 2.0 * group.mirror);
     group.lean = sqrt(2.0 - 2.0 * group.cosine);
@@ -223,7 +223,7 @@ void farKeep(Group group, int number)
     far_numbers[at + GROUP_MIRROR] = group.mirror;
     farPut(at + GROUP_EVEN, group.even);
     farPut(at + GROUP_DIM, group.dim);
-    farPut(at + GROUP_ROUGHNESS, group.gloss);
+    farPut(at + GROUP_SPECULAR, group.specular);
     far_numbers[at + GROUP_EXPONENT] = group.exponent;
     far_numbers[at + GROUP_TURN] = group.turn;
     far_numbers[at + GROUP_LEAN] = group.lean;

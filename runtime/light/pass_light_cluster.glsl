@@ -48,8 +48,8 @@ void farGather(Group group, int number)
 
 // -- results
 
-// Returns number i from FAR_ROUGHNESS on.
-float farRoughnessNumber(Group group, int i)
+// Returns number i from FAR_SPECULAR on.
+float farSpecularNumber(Group group, int i)
 {
     int component = i / 4 % 3, kind = i / 12, k = i % 4;
     if (kind == 1 && k == 3) return group.view[component];
@@ -66,8 +66,8 @@ void farKeep(Group group, int number)
     }
     for (int i = self; i < 3 * FAR_TERMS; i += GROUP)
         far_numbers[at + 4 * FAR_SUMS + i] = far_sums[i % FAR_TERMS * 3 + i / FAR_TERMS];
-    for (int i = self; i < 4 * (FAR_TEXELS - FAR_ROUGHNESS); i += GROUP)
-        far_numbers[at + 4 * FAR_ROUGHNESS + i] = farRoughnessNumber(group, i);
+    for (int i = self; i < 4 * (FAR_TEXELS - FAR_SPECULAR); i += GROUP)
+        far_numbers[at + 4 * FAR_SPECULAR + i] = farSpecularNumber(group, i);
 }
 
 void main()

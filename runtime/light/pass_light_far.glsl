@@ -29,12 +29,12 @@ vec3 farIrradiance(int at, vec3 point, vec3 normal)
 
 #ifdef SURFACE_HAS_specular
 // Specular light of distant lights for reflectance 1, at a point with a mirrored view.
-vec3 farRoughness(int at, vec3 point, vec3 mirror)
+vec3 farSpecular(int at, vec3 point, vec3 mirror)
 {
     vec4 centre = farTexel(at + FAR_CENTER), u = vec4((point - centre.xyz) * centre.w, 1.0);
     vec4 red = farTexel(at + FAR_MIRROR), green = farTexel(at + FAR_MIRROR + 1), blue = farTexel(at + FAR_MIRROR + 2);
     vec3 turn = mirror - vec3(red.w, green.w, blue.w);
-    vec3 sum = vec3(dot(farTexel(at + FAR_ROUGHNESS), u), dot(farTexel(at + FAR_ROUGHNESS + 1), u), dot(farTexel(at + FAR_ROUGHNESS + 2), u));
+    vec3 sum = vec3(dot(farTexel(at + FAR_SPECULAR), u), dot(farTexel(at + FAR_SPECULAR + 1), u), dot(farTexel(at + FAR_SPECULAR + 2), u));
     return max(sum + vec3(dot(red.xyz, turn), dot(green.xyz, turn), dot(blue.xyz, turn)), 0.0);
 }
 #endif
@@ -93,7 +93,7 @@ vec4 passPixel(ivec2 pixel)
         int at = (block * FAR_GROUPS + group) * FAR_TEXELS;
         sum += surfaceEven(seen.m) * farIrradiance(at, seen.point, seen.m.normal);
 #ifdef SURFACE_HAS_specular
-        sum += surfaceGloss(seen.m) * farRoughness(at, seen.point, surfaceMirror(seen.m));
+        sum += surfaceSpecular(seen.m) * farSpecular(at, seen.point, surfaceMirror(seen.m));
 #endif
         sum += farNear(block * FAR_WORDS + FAR_MAP + group * FAR_MARKS, seen);
     }

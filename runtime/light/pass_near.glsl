@@ -25,7 +25,7 @@ vec3 farRest(Far far)
 // Share of the error budget that a light takes if pixels do not sum it themselves; `even` and
 // `gloss` are reflectances over the budget. The lowest bit reports that specular light is expanded;
 // else specular light is omitted.
-float farShare(Far far, Group group, vec3 even, vec3 gloss)
+float farShare(Far far, Group group, vec3 even, vec3 specular)
 {
     if (far.ratio > 0.9 || (group.behind && far.least < 0.0)) return NEVER;
     vec3 share = farRest(far) * even;
@@ -33,7 +33,7 @@ float farShare(Far far, Group group, vec3 even, vec3 gloss)
 #ifdef SURFACE_HAS_specular
     Lobe lobe = farLobe(far, group);
     expanded = lobe.rest < lobe.most;
-    share += far.power * min(lobe.most, lobe.rest) * gloss;
+    share += far.power * min(lobe.most, lobe.rest) * specular;
 #endif
     return uintBitsToFloat((floatBitsToUint(max(max(share.x, share.y), share.z)) & ~1u) | uint(expanded));
 }
@@ -72,11 +72,11 @@ const float DARK = -1.0, UNITS = 524288.0;
 // shift that keeps a float's exponent and first mantissa bit; 1.0 after that shift
 const uint HALF_OCTAVE = 22u, ONE = 0x3f800000u >> HALF_OCTAVE;
 
-float farThreshold(Group group, vec3 even, vec3 gloss)
+float farThreshold(Group group, vec3 even, vec3 specular)
 {
     for (int i = int(gl_LocalInvocationIndex); i < farCount(); i += GROUP) {
         Far far = farLight(i, group);
-        float share = farIsDark(far, group) ? DARK : farShare(far, group, even, gloss);
+        float share = farIsDark(far, group) ? DARK : farShare(far, group, even, specular);
         far_parts[i] = share;
         if (share < 1.0 && share != DARK)
             atomicAdd(far_shares[min(ONE - 1u - (floatBitsToUint(share) >> HALF_OCTAVE), 31u)], uint(share * UNITS) + 1u);
@@ -136,8 +136,8 @@ void farLights(Group group)
 {
     vec3 least = far_relative * farSureOfAll(group);
     vec3 even = 1.0 / max(least + far_absolute / max(group.even, 1e-20), 1e-30);
-    vec3 gloss = group.gloss / max(least * group.dim + far_absolute, 1e-30);
-    farMark(farThreshold(group, even, gloss));
+    vec3 specular = group.specular / max(least * group.dim + far_absolute, 1e-30);
+    farMark(farThreshold(group, even, specular));
 }
 
 void main()

@@ -225,14 +225,14 @@ float areaLobe(Area area, vec3 above, vec3 normal, vec3 w, float exponent)
 // above is in a program only once.
 struct AreaSide {
     vec3 normal, even;        // the side's normal, and its diffuse share
-    vec3 gloss, axis, across; // specular lobe: gloss max(axis.l, 0)^exponent across.l
+    vec3 specular, axis, across; // specular lobe: gloss max(axis.l, 0)^exponent across.l
     float exponent;
     mat3 into; // if the exponent is negative: maps the side's normal to z, or a lobe's directions
 };
 
-AreaSide areaPowers(vec3 normal, vec3 even, vec3 gloss, vec3 axis, vec3 across, float exponent)
+AreaSide areaPowers(vec3 normal, vec3 even, vec3 specular, vec3 axis, vec3 across, float exponent)
 {
-    return AreaSide(normal, even, gloss, axis, across, exponent, mat3(1.0));
+    return AreaSide(normal, even, specular, axis, across, exponent, mat3(1.0));
 }
 
 vec3 areaOfSide(Area light, AreaSide side)
@@ -244,7 +244,7 @@ vec3 areaOfSide(Area light, AreaSide side)
         if (into) seen = areaInto(light, side.into);
         sum = side.even * areaCosine(seen, into ? vec3(0.0, 0.0, 1.0) : side.normal, into ? above : AREA_ALL);
     }
-    if (!into && any(greaterThan(side.gloss, vec3(0.0)))) sum += side.gloss * areaLobe(light, above, side.across, side.axis, side.exponent);
+    if (!into && any(greaterThan(side.specular, vec3(0.0)))) sum += side.specular * areaLobe(light, above, side.across, side.axis, side.exponent);
     return sum;
 }
 #else

@@ -84,9 +84,9 @@ static double ground_reach(const double ground[4], const SceneLight *light,
     }
     /* Min descent of a ray between the lamp and the triangle. The ray reaches the ground after
      * |from| / capacity times that length. */
-    const double capacity = fabs(from) - most;
+    const double headroom = fabs(from) - most;
     return least >= fabs(from)             ? 1
-           : capacity > along * fabs(from) ? fabs(from) / capacity
+           : headroom > along * fabs(from) ? fabs(from) / headroom
                                            : INFINITY;
 }
 

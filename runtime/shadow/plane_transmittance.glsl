@@ -6,7 +6,7 @@
 //
 // The result is multiplied into the light's layer: three components of 21 bits, as in
 // glass_store.glsl.
-layout(std140) uniform ContactSheet {
+layout(std140) uniform PlaneTransmittance {
     mat4 sheet_worldFromEye;
     vec4 sheet_ray; // like light_ray and light_view
     vec4 sheet_view;

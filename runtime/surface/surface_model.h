@@ -34,7 +34,7 @@
  * 0 for light from the other side, unless the surface transmits:
  *
  *     vec3 surfaceEven(Lit m)         E, as above
- *     vec3 surfaceGloss(Lit m)        G
+ *     vec3 surfaceSpecular(Lit m)        G
  *     vec3 surfaceMirror(Lit m)       w, of length 1
  *     float surfaceExponent(Lit m)    n
  *     bool surfaceLetsThrough(Lit m)

@@ -58,7 +58,7 @@ Lit surfaceMatt(Lit m)
     return m;
 }
 
-vec3 surfaceGloss(Lit m) { return m.specular; }
+vec3 surfaceSpecular(Lit m) { return m.specular; }
 vec3 surfaceMirror(Lit m) { return m.reflected; }
 float surfaceExponent(Lit m) { return m.shininess; }
 

@@ -16,9 +16,9 @@
 struct Lit {
     vec3 normal, toEye, reflected, base, tint, dip, emissive;
     vec3 metalAgain;  // multiple-scattering color of metal
-    vec3 even, gloss; // reflection of uniform light: diffuse, specular
+    vec3 even, specular; // reflection of uniform light: diffuse, specular
 #ifdef LIGHT_HAS_SKY
-    vec3 roughnessAgain; // specular part that is scattered repeatedly, or spread by layers
+    vec3 specularRescattered; // specular part that is scattered repeatedly, or spread by layers
 #endif
     Roughness facets;
     float metal, alpha, cosine, masked, reflectance, kept; // masked: maskedOf() toward the eye
@@ -46,7 +46,7 @@ struct Lit {
     vec3 coatTint, coatNormal;
     float coatCosine; // the eye's cosine against the coat's normal
     Roughness coatMicrofacets;
-    float coat, coatShine, coatAlpha, coatReflectance, coatLobe, coatMasked;
+    float coat, coatShine, coatAlpha, coatReflectance, coatSpecular, coatMasked;
     float coatOfEye, coatMean; // transmittance: for the eye, and the mean
     vec2 coatVeil;             // veiled(), for the base's reflection
     Row spread;                // loss of a white rough mirror below, by angle
@@ -130,7 +130,7 @@ void litCoat(Surface s, inout Lit m)
     m.coatOfEye = coatThrough(m, m.coatCosine);
     m.coatMean = 0.0;
     m.layered = m.coat > 0.0;
-    m.coatLobe = m.kept * (1.0 - m.coatOfEye);
+    m.coatSpecular = m.kept * (1.0 - m.coatOfEye);
     float smoother = 1.0 - m.coatMicrofacets.rough * m.coatMicrofacets.rough, smoother2 = smoother * smoother;
     // 1 for a smooth coat of index 1.6
     float share = m.coat * (1.0 - m.coatReflectance) * smoother2 * smoother2 * smoother * 1.0563;
@@ -366,9 +366,9 @@ Lit surfaceLit(Surface s, vec3 toEye)
     vec3 sent = m.base;
 #endif
     m.even = m.kept * (1.0 - m.metal) * m.baseOfEye * sent;
-    m.gloss = m.kept * mix((1.0 - m.baseOfEye) * m.tint, max(ofMetal, 0.0), m.metal);
+    m.specular = m.kept * mix((1.0 - m.baseOfEye) * m.tint, max(ofMetal, 0.0), m.metal);
 #ifdef LIGHT_HAS_SKY
-    m.roughnessAgain = m.kept * eye.x * mix(m.again * m.tint, m.metalAgain, m.metal);
+    m.specularRescattered = m.kept * eye.x * mix(m.again * m.tint, m.metalAgain, m.metal);
 #endif
 #ifdef LIT_BEHIND
     m.behind = clamp(s.diffuseTransparency, 0.0, 1.0);
@@ -384,9 +384,9 @@ Lit surfaceLit(Surface s, vec3 toEye)
 #ifdef LIT_BEHIND
     m.evenBehind *= layers.z;
 #endif
-    m.gloss *= layers.z;
+    m.specular *= layers.z;
 #ifdef LIGHT_HAS_SKY
-    m.roughnessAgain = m.roughnessAgain * layers.z + m.kept * (m.multipleScatteringOfEye.x * m.metalBounce + m.multipleScatteringOfEye.y * m.dielectricBounce);
+    m.specularRescattered = m.specularRescattered * layers.z + m.kept * (m.multipleScatteringOfEye.x * m.metalBounce + m.multipleScatteringOfEye.y * m.dielectricBounce);
 #endif
     m.emissive *= layers.z;
     m.lossRatio *= layers.z;
@@ -397,10 +397,10 @@ Lit surfaceLit(Surface s, vec3 toEye)
 #ifdef LIT_BEHIND
     m.evenBehind *= m.coatTint;
 #endif
-    m.gloss *= m.coatTint;
-    m.coatLobe *= layers.y;
+    m.specular *= m.coatTint;
+    m.coatSpecular *= layers.y;
 #ifdef LIGHT_HAS_SKY
-    m.roughnessAgain *= m.coatTint;
+    m.specularRescattered *= m.coatTint;
 #endif
 #endif
 #ifdef LIT_FUZZ
@@ -413,7 +413,7 @@ Lit surfaceLit(Surface s, vec3 toEye)
 #endif
     m.baseRatio = m.baseOfEye / meanBase;
 #ifdef LIGHT_HAS_SKY
-    m.roughnessAgain = clamp(m.roughnessAgain, vec3(0.0), m.gloss);
+    m.specularRescattered = clamp(m.specularRescattered, vec3(0.0), m.specular);
 #endif
     return m;
 }

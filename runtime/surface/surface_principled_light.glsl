@@ -6,9 +6,9 @@ vec3 surfaceOwn(Lit m) { return m.emissive; }
 vec3 glossAround(Lit m)
 {
 #ifdef LIT_COAT
-    return m.gloss + m.coatLobe;
+    return m.specular + m.coatSpecular;
 #else
-    return m.gloss;
+    return m.specular;
 #endif
 }
 
@@ -34,15 +34,15 @@ Lit surfaceMatt(Lit m)
     m.grainAgain *= 1.0 - m.metal;
 #endif
     m.metal = 0.0;
-    m.tint = m.gloss = vec3(0.0);
+    m.tint = m.specular = vec3(0.0);
 #ifdef LIGHT_HAS_SKY
-    m.roughnessAgain = vec3(0.0);
+    m.specularRescattered = vec3(0.0);
 #endif
 #ifdef LIT_LAYERS
     m.metalBounce = m.dielectricBounce = vec3(0.0);
 #endif
 #ifdef LIT_COAT
-    m.coatShine = m.coatLobe = 0.0;
+    m.coatShine = m.coatSpecular = 0.0;
 #endif
     return m;
 }
@@ -187,7 +187,7 @@ vec3 skySent(SkyMicrofacets f, vec3 toEye, vec3 low, vec3 high)
 // that layers spread, count as diffuse.
 vec3 surfaceSky(Lit m)
 {
-    vec3 sum = (m.even + m.roughnessAgain) * skyIrradiance(m.normal), once = m.gloss - m.roughnessAgain;
+    vec3 sum = (m.even + m.specularRescattered) * skyIrradiance(m.normal), once = m.specular - m.specularRescattered;
     if (any(greaterThan(once, vec3(0.0)))) {
 #ifdef LIT_ANISOTROPY
         SkyMicrofacets facets = SkyMicrofacets(mat3(m.anisotropy.along, m.anisotropy.across, m.normal), m.anisotropy.widths);
@@ -200,7 +200,7 @@ vec3 surfaceSky(Lit m)
     if (any(greaterThan(m.evenBehind, vec3(0.0)))) sum += m.evenBehind * skyIrradiance(-m.normal);
 #endif
 #ifdef LIT_COAT
-    if (m.coatLobe > 0.0) sum += m.coatLobe * skySent(skyMicrofacetsEven(m.coatNormal, m.coatAlpha), m.toEye, vec3(m.coatReflectance), vec3(1.0));
+    if (m.coatSpecular > 0.0) sum += m.coatSpecular * skySent(skyMicrofacetsEven(m.coatNormal, m.coatAlpha), m.toEye, vec3(m.coatReflectance), vec3(1.0));
 #endif
     return sum;
 }
@@ -209,9 +209,9 @@ vec3 surfaceSky(Lit m)
 #ifdef LIGHT_HAS_HEMISPHERE
 vec3 surfaceHemisphere(Lit m)
 {
-    vec3 sum = m.even * hemisphereMatt(m.normal) + evenFromBehind(m) * hemisphereMatt(-m.normal) + m.gloss * hemisphereMirrored(m.reflected);
+    vec3 sum = m.even * hemisphereMatt(m.normal) + evenFromBehind(m) * hemisphereMatt(-m.normal) + m.specular * hemisphereMirrored(m.reflected);
 #ifdef LIT_COAT
-    sum += m.coatLobe * hemisphereMirrored(reflect(-m.toEye, m.coatNormal));
+    sum += m.coatSpecular * hemisphereMirrored(reflect(-m.toEye, m.coatNormal));
 #endif
     return sum;
 }
@@ -222,7 +222,7 @@ int surfaceAreaSides(Lit m)
 {
     int sides = 2;
 #ifdef LIT_COAT
-    if (m.coatLobe > 0.0) sides++;
+    if (m.coatSpecular > 0.0) sides++;
 #endif
 #ifdef LIT_BEHIND
     if (any(greaterThan(m.evenBehind, vec3(0.0)))) sides++;
@@ -237,11 +237,11 @@ AreaSide surfaceAreaSide(Lit m, int i)
 #ifdef LIT_BEHIND
     if (i > 1 && i + 1 == surfaceAreaSides(m) && any(greaterThan(m.evenBehind, vec3(0.0)))) return areaPowers(-m.normal, m.evenBehind, vec3(0.0), -m.normal, -m.normal, 0.0);
 #endif
-    AreaSide side = areaPowers(m.normal, i == 0 ? m.even : m.gloss, vec3(0.0), m.normal, m.normal, i == 0 ? 0.0 : -1.0);
+    AreaSide side = areaPowers(m.normal, i == 0 ? m.even : m.specular, vec3(0.0), m.normal, m.normal, i == 0 ? 0.0 : -1.0);
     side.into = m.roughnessInto;
 #ifdef LIT_COAT
     if (i == 2) {
-        side = areaPowers(m.coatNormal, vec3(m.coatLobe), vec3(0.0), m.coatNormal, m.coatNormal, -1.0);
+        side = areaPowers(m.coatNormal, vec3(m.coatSpecular), vec3(0.0), m.coatNormal, m.coatNormal, -1.0);
         side.into = m.coatInto;
     }
 #endif

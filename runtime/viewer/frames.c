@@ -35,7 +35,7 @@ const char *frames_read_one(const char *text, Frames *frames)
     return end && !*end ? NULL : "--frame wants a number from 0";
 }
 
-const char *frames_check(const Scene *scene, Frames *frames, char capacity[FRAMES_CAPACITY])
+const char *frames_check(const Scene *scene, Frames *frames, char reason[FRAMES_CAPACITY])
 {
     if (!frames->given)
         return NULL;
@@ -44,9 +44,9 @@ const char *frames_check(const Scene *scene, Frames *frames, char capacity[FRAME
     frames->whole = frames->whole ? frames->whole : scene->motion.frames;
     if (frames->last < frames->whole)
         return NULL;
-    snprintf(capacity, FRAMES_CAPACITY, "the motion has the frames 0 to %d, and no frame %d",
+    snprintf(reason, FRAMES_CAPACITY, "the motion has the frames 0 to %d, and no frame %d",
              frames->whole - 1, frames->last);
-    return capacity;
+    return reason;
 }
 
 bool frames_place(const Frames *frames, const Scene *scene, int frame, Scene *seen)
@@ -68,13 +68,13 @@ static int places_of(const char *percent, const char **end)
     return *at == 'd' ? places : -1;
 }
 
-bool frames_path(const char *pattern, int frame, char *path, size_t capacity)
+bool frames_path(const char *pattern, int frame, char *path, size_t reason)
 {
     const char *percent = strchr(pattern, '%'), *end = "";
     const int places = percent ? places_of(percent, &end) : -1;
     if (places < 0 || strchr(end, '%'))
         return false;
-    const int size = snprintf(path, capacity, "%.*s%0*d%s", (int)(percent - pattern), pattern,
-                              places, frame, end);
-    return size >= 0 && (size_t)size < capacity;
+    const int size =
+        snprintf(path, reason, "%.*s%0*d%s", (int)(percent - pattern), pattern, places, frame, end);
+    return size >= 0 && (size_t)size < reason;
 }

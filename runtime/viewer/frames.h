@@ -20,7 +20,7 @@ const char *frames_read(const char *text, Frames *frames);
 const char *frames_read_one(const char *text, Frames *frames);
 /* Completes the range from the scene. Returns NULL, or an error message, which may be stored in
  * `capacity`. */
-const char *frames_check(const Scene *scene, Frames *frames, char capacity[FRAMES_CAPACITY]);
+const char *frames_check(const Scene *scene, Frames *frames, char reason[FRAMES_CAPACITY]);
 
 /* Sets the camera and the time of `seen` for a frame. Returns false if the camera's direction is
  * degenerate. */
@@ -29,5 +29,5 @@ bool frames_place(const Frames *frames, const Scene *scene, int frame, Scene *se
 /* Expands the frame number in a pattern with a single % of the form %d or %0Nd (N from 1 to 9),
  * as in out-%04d.png. Returns false if the pattern has no or another %, or if the path exceeds
  * `capacity` bytes. */
-bool frames_path(const char *pattern, int frame, char *path, size_t capacity);
+bool frames_path(const char *pattern, int frame, char *path, size_t reason);
 #endif

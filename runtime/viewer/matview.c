@@ -148,13 +148,13 @@ static int draw_cell(Run *run, ScenePictures *pictures, const char *name)
 {
     unsigned char *rgb =
         memory_checked(malloc((size_t)run->sheet->width * (size_t)run->sheet->height * 3));
-    const bool capacity = contact_sheet_has_capacity(run->sheet),
-               done = capacity && scene_pictures_pixels(pictures, rgb);
+    const bool reason = contact_sheet_has_capacity(run->sheet),
+               done = reason && scene_pictures_pixels(pictures, rgb);
     fputs(progress_erase(&run->shown.last), stderr);
     if (done)
         contact_sheet_add(run->sheet, name, rgb);
     free(rgb);
-    return done ? EXIT_OK : complain(name, capacity ? run->gl->error : contact_sheet_too_large);
+    return done ? EXIT_OK : complain(name, reason ? run->gl->error : contact_sheet_too_large);
 }
 
 static int draw_material(Run *run, MatcDocument *document, int material, const char *name)
@@ -287,9 +287,9 @@ static int draw_scene(Run *run, Scene *scene, const char *input)
 {
     Drawing d = {
         .run = run, .input = input, .scene = scene, .seen = *scene, .frames = run->command->frames};
-    char capacity[FRAMES_CAPACITY];
+    char reason[FRAMES_CAPACITY];
     const char *wrong = command_check_scene(run->command, scene);
-    const char *fault = wrong ? wrong : frames_check(scene, &d.frames, capacity);
+    const char *fault = wrong ? wrong : frames_check(scene, &d.frames, reason);
     command_set_scene(run->command, run->command->compare ? scene : &d.seen);
     if (fault)
         return usage(fault);

@@ -22,7 +22,7 @@ static bool take_uniform(const MatcDocument *document, const MatcOptions *option
 }
 
 static const char *read_value(const char *value, Param *param, int colors,
-                              char capacity[PARAM_CAPACITY])
+                              char reason[PARAM_CAPACITY])
 {
     static const char *const names[] = {"linear", "srgb"};
     MatcOptions options;
@@ -31,22 +31,22 @@ static const char *read_value(const char *value, Param *param, int colors,
     options.pass = "value";
     options.slot = "emissive";
     const char *quote = *value == '#' ? "\"" : ""; /* unquoted, # starts a comment */
-    int size = snprintf(capacity, PARAM_CAPACITY,
+    int size = snprintf(reason, PARAM_CAPACITY,
                         "colors: %s\nmaterial: Phong\nemissive:\n  param: %s\n  default: %s%s%s\n",
                         names[colors], param->name, quote, value, quote);
     if (size >= PARAM_CAPACITY)
         return "--param: the value is too long";
-    MatcDocument *document = matc_read("--param", capacity, (size_t)size, &options);
+    MatcDocument *document = matc_read("--param", reason, (size_t)size, &options);
     bool fine =
         matc_material_count(document) == 1 && take_uniform(document, &options, param, colors);
     if (!fine)
-        snprintf(capacity, PARAM_CAPACITY, "--param: '%s' is no value of a param:\n%s", value,
+        snprintf(reason, PARAM_CAPACITY, "--param: '%s' is no value of a param:\n%s", value,
                  matc_diagnostics(document, MATC_TEXT));
     matc_document_free(document);
-    return fine ? NULL : capacity;
+    return fine ? NULL : reason;
 }
 
-const char *param_read(const char *text, Param *param, char capacity[PARAM_CAPACITY])
+const char *param_read(const char *text, Param *param, char reason[PARAM_CAPACITY])
 {
     const char *equal = strchr(text, '=');
     size_t size = equal ? (size_t)(equal - text) : 0;
@@ -56,8 +56,8 @@ const char *param_read(const char *text, Param *param, char capacity[PARAM_CAPAC
         return "--param: the name is too long";
     *param = (Param){0};
     memcpy(param->name, text, size);
-    const char *fault = read_value(equal + 1, param, 0, capacity);
-    return fault ? fault : read_value(equal + 1, param, 1, capacity);
+    const char *fault = read_value(equal + 1, param, 0, reason);
+    return fault ? fault : read_value(equal + 1, param, 1, reason);
 }
 
 /* Looks for the key in the normalized document text, which has one line per key however the

@@ -19,7 +19,7 @@ typedef struct {
 
 /* Parses "tint=#c04020", "gloss=0.7", "offset=[0, 1, 0]": a name, then any value that a document
  * accepts as a param's default. Returns NULL, or an error message stored in `capacity`. */
-const char *param_read(const char *text, Param *param, char capacity[PARAM_CAPACITY]);
+const char *param_read(const char *text, Param *param, char reason[PARAM_CAPACITY]);
 
 /* Returns the index into Param.values for a document: 1 if the document sets `colors: srgb`,
  * else 0. */

@@ -297,7 +297,7 @@ static void phong_lobe(const LitReference *lit, const double l[3], double parts[
         const double kept = value(lit, SLOT_interpolatedTransparency) > 0 ? 1 - clear[i] : 1;
         if (cosine > 0) {
             parts[LIT_EVEN][i] = kept * lit->slots.component[SLOT_diffuse][i] * cosine;
-            parts[LIT_GLOSS][i] = kept * lit->slots.component[SLOT_specular][i] * lobe * cosine;
+            parts[LIT_SPECULAR][i] = kept * lit->slots.component[SLOT_specular][i] * lobe * cosine;
         } else {
             parts[LIT_BEHIND][i] = -cosine * lit->slots.component[SLOT_diffuseTransparency][i];
             parts[LIT_STRAIGHT][i] = clear[i] * on;
@@ -402,7 +402,7 @@ static void principled_lobe(const LitReference *lit, const double l[3], double p
             lit->kept * (tint * (1 - metal) * matt * base_color(lit, l, i) +
                          fuzz * lit->slots.component[SLOT_fuzzColor][i] *
                              fibres(fuzz_rough(lit), between[2] / length, cosine, eye));
-        parts[LIT_GLOSS][i] =
+        parts[LIT_SPECULAR][i] =
             lit->kept * tint * ((1 - metal) * specular * shine[0] + metal * shine[1]);
         parts[LIT_COAT][i] = lit->kept * coat_shine(lit, l);
     }
@@ -422,7 +422,7 @@ static void phong_albedos(const LitReference *lit, double parts[LIT_PARTS][3])
         const double clear = lit->slots.component[SLOT_transparency][i];
         const double kept = value(lit, SLOT_interpolatedTransparency) > 0 ? 1 - clear : 1;
         parts[LIT_EVEN][i] = kept * lit->slots.component[SLOT_diffuse][i];
-        parts[LIT_GLOSS][i] = kept * lit->slots.component[SLOT_specular][i];
+        parts[LIT_SPECULAR][i] = kept * lit->slots.component[SLOT_specular][i];
         parts[LIT_BEHIND][i] = lit->slots.component[SLOT_diffuseTransparency][i];
         parts[LIT_STRAIGHT][i] = clear;
     }
@@ -457,7 +457,7 @@ void lit_reference_albedos(const LitReference *lit, double parts[LIT_PARTS][3])
         const double specular = clamped(lit->slots.component[SLOT_specular][i], 0, 1);
         parts[LIT_EVEN][i] = left * (1 - metal) * out * base_albedo(lit, eye, i) +
                              lit->kept * (1 - fuzz) * lit->slots.component[SLOT_fuzzColor][i];
-        parts[LIT_GLOSS][i] =
+        parts[LIT_SPECULAR][i] =
             left * ((1 - metal) * specular * (1 - out) + metal * reflected(lit, true, eye, i));
         parts[LIT_COAT][i] = lit->kept * (1 - table_at(&lit->coat, of_coat, 0)) * fuzz;
         parts[LIT_BEHIND][i] = left * out * lit->slots.component[SLOT_diffuseTransparency][i];

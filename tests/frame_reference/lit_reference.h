@@ -12,9 +12,9 @@
 #define MATC_LIT_REFERENCE_H
 #include "compiler/oracle/oracle.h"
 
-/* Parts of the light that leaves a surface: EVEN diffuse and fuzz, ROUGHNESS specular reflection,
+/* Parts of the light that leaves a surface: EVEN diffuse and fuzz, SPECULAR specular reflection,
  * COAT reflection by the coat, BEHIND diffuse transmission, STRAIGHT unscattered transmission. */
-enum { LIT_EVEN, LIT_GLOSS, LIT_COAT, LIT_BEHIND, LIT_STRAIGHT, LIT_PARTS };
+enum { LIT_EVEN, LIT_SPECULAR, LIT_COAT, LIT_BEHIND, LIT_STRAIGHT, LIT_PARTS };
 enum { LIT_STEPS = 32 }; /* steps of tables over the square root of the cosine */
 
 typedef struct {

@@ -147,7 +147,7 @@ static void frames_are_chosen(void **state)
     static const char *const wrong[] = {"",  "0",  "-1",  "1-", "5-4",    "1-2-3",
                                         "x", "1x", "1.5", " 1", "100001", "99999999999"};
     Frames frames;
-    char capacity[FRAMES_CAPACITY];
+    char reason[FRAMES_CAPACITY];
     for (size_t i = 0; i < sizeof fine / sizeof *fine; i++) {
         assert_null(frames_read(fine[i].text, &frames));
         assert_true(frames.given && frames.first == fine[i].first && frames.last == fine[i].last &&
@@ -160,11 +160,11 @@ static void frames_are_chosen(void **state)
     assert_non_null(frames_read_one("1-2", &frames));
     Scene still = {0}, moving = {.motion = {.frames = 8}};
     assert_null(frames_read("0-7", &frames));
-    assert_non_null(frames_check(&still, &frames, capacity));
-    assert_null(frames_check(&moving, &frames, capacity));
+    assert_non_null(frames_check(&still, &frames, reason));
+    assert_null(frames_check(&moving, &frames, reason));
     assert_int_equal(frames.whole, 8);
     assert_null(frames_read("0-8", &frames));
-    assert_string_equal(frames_check(&moving, &frames, capacity),
+    assert_string_equal(frames_check(&moving, &frames, reason),
                         "the motion has the frames 0 to 7, and no frame 8");
 }
 

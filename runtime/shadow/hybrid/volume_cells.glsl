@@ -110,7 +110,7 @@ int volumeCutOff(ivec2 layers, ivec2 cell, vec4 quad)
 
 // Returns the triangulation of a cell, by its crossed segments: a row of VOLUME_TRIANGLES, and the
 // number of centers by which it is rotated.
-ivec2 volumeTiled(ivec2 layers, ivec2 cell, int crossed)
+ivec2 volumeTriangulated(ivec2 layers, ivec2 cell, int crossed)
 {
     vec4 quad = volumeQuad(layers, cell);
     if (crossed == 0) return ivec2(0, volumeTurned(quad) ? 0 : 1);
@@ -128,9 +128,9 @@ ivec2 volumeTiled(ivec2 layers, ivec2 cell, int crossed)
 
 // Returns a corner of a cell's triangles: its position, in texels from the first center, and its
 // depth.
-vec3 volumeCorner(ivec2 layers, ivec2 cell, ivec2 tiled, int number)
+vec3 volumeCorner(ivec2 layers, ivec2 cell, ivec2 triangulated, int number)
 {
-    int label = (VOLUME_CORNERS[tiled.x * 3 * VOLUME_MAX + number] + 3 * tiled.y) % 12, i = label / 3;
+    int label = (VOLUME_CORNERS[triangulated.x * 3 * VOLUME_MAX + number] + 3 * triangulated.y) % 12, i = label / 3;
     if (label % 3 == 0) {
         ivec2 texel = cell + volumeCentre(i);
         return vec3(texel, volumeCellDepth(layers, texel));
@@ -146,10 +146,10 @@ vec3 volumeCorner(ivec2 layers, ivec2 cell, ivec2 tiled, int number)
 // light a surface that reaches infinity runs along the light.
 bool volumeCellHas(ivec2 layers, vec2 at, float depth, bool parallel)
 {
-    ivec2 cell = ivec2(at), tiled = volumeTiled(layers, cell, volumeCrossed(layers, cell));
-    for (int triangle = 0; triangle < VOLUME_TRIANGLES[tiled.x]; triangle++) {
-        vec3 a = volumeCorner(layers, cell, tiled, 3 * triangle), b = volumeCorner(layers, cell, tiled, 3 * triangle + 1),
-             c = volumeCorner(layers, cell, tiled, 3 * triangle + 2);
+    ivec2 cell = ivec2(at), triangulated = volumeTriangulated(layers, cell, volumeCrossed(layers, cell));
+    for (int triangle = 0; triangle < VOLUME_TRIANGLES[triangulated.x]; triangle++) {
+        vec3 a = volumeCorner(layers, cell, triangulated, 3 * triangle), b = volumeCorner(layers, cell, triangulated, 3 * triangle + 1),
+             c = volumeCorner(layers, cell, triangulated, 3 * triangle + 2);
         vec2 ab = b.xy - a.xy, ac = c.xy - a.xy, way = at - a.xy;
         float area = ab.x * ac.y - ab.y * ac.x;
         vec2 part = vec2(way.x * ac.y - way.y * ac.x, ab.x * way.y - ab.y * way.x) / max(area, 1e-9);

@@ -67,9 +67,9 @@ vec3 volumeVertex()
     int number = gl_VertexID / most;
 #endif
     ivec2 cell = ivec2(number % row, number / row), layers = ivec2(volume_map.x, volume_cells.x);
-    ivec2 tiled = volumeTiled(layers, cell, cut ? volumeCrossed(layers, cell) : 0);
+    ivec2 triangulated = volumeTriangulated(layers, cell, cut ? volumeCrossed(layers, cell) : 0);
     int corner = gl_VertexID % most;
-    return volumeCorner(layers, cell, tiled, corner < 3 * VOLUME_TRIANGLES[tiled.x] ? corner : 0);
+    return volumeCorner(layers, cell, triangulated, corner < 3 * VOLUME_TRIANGLES[triangulated.x] ? corner : 0);
 }
 #endif
 

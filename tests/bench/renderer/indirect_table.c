@@ -81,7 +81,7 @@ enum { PLACES = sizeof places / sizeof *places };
 
 /* The Cornell box, 5 wide as the thesis', seen from its open side; walls as thick as two voxels of
  * 128. */
-static const char capacity[] =
+static const char room[] =
     "camera: { camera: Perspective, position: [0, -9.6, 2.5], target: [0, 0, 2.5], angle: 41 "
     "}\nmaterials:\n"
     "  white: { material: Phong, diffuse: .75, specular: 0, ambient: .75 }\n"
@@ -206,7 +206,7 @@ static bool open_drawn(const Bench *b, const char *keys, const char *view, Drawn
 {
     char text[TEXT];
     int size = snprintf(text, sizeof text, "image: { width: %d, height: %d }\n%s\n%s",
-                        b->table->edge, b->table->edge, keys, capacity);
+                        b->table->edge, b->table->edge, keys, room);
     for (int i = 0; i < b->place->count; i++) {
         const Body *body = &b->place->bodies[i];
         size += snprintf(text + size, sizeof text - (size_t)size,

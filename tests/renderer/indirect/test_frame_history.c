@@ -12,7 +12,7 @@
 enum { EDGE = 48, PIXELS = EDGE * EDGE, TEXT = 2048, SPHERE = 2 };
 
 /* A floor before a wall, and a ball between them and the camera. */
-static const char capacity[] =
+static const char room[] =
     "image: { width: 48, height: 48 }\ncamera: { camera: Perspective, position: [.4, -4, 1.6], "
     "target: [0, 0, .7], "
     "angle: 40 }\nvoxels: { size: 64 }\n"
@@ -29,7 +29,7 @@ static GlContext *gl; /* all are drawn in one */
 static void open_rig(FrameRunning *rig, const char *keys, const char *view)
 {
     char text[TEXT];
-    snprintf(text, sizeof text, "indirect: { radius: 1, %s }\n%s", keys, capacity);
+    snprintf(text, sizeof text, "indirect: { radius: 1, %s }\n%s", keys, room);
     frame_running_open(gl, text, &(RendererOptions){.view = view, .deep = true}, rig);
 }
 

@@ -94,16 +94,16 @@ static void nothing_shines_through_walls(void **state)
     double mean, black = 1.5 / 255 / 12.92;
     GlContext *gl = frame_context();
     for (size_t i = 0; i < 2 * sizeof cases / sizeof *cases; i++) {
-        char capacity[TEXT], text[2 * TEXT];
-        put_capacity(cases[i / 2].wall, cases[i / 2].shadows, rotations[i % 2], capacity);
+        char room[TEXT], text[2 * TEXT];
+        put_capacity(cases[i / 2].wall, cases[i / 2].shadows, rotations[i % 2], room);
         int length = snprintf(text, sizeof text, camera, "0, -.8, .1");
-        snprintf(text + length, sizeof text - (size_t)length, "%s", capacity);
+        snprintf(text + length, sizeof text - (size_t)length, "%s", room);
         const double within = brightest_of(gl, text, &mean);
         print_message("walls of %.2f, shadows %s: %.2g of black\n", cases[i / 2].wall,
                       cases[i / 2].shadows, within / black);
         assert_true(within <= cases[i / 2].most * black);
         length = snprintf(text, sizeof text, camera, "4, -4, 3");
-        snprintf(text + length, sizeof text - (size_t)length, "%s", capacity);
+        snprintf(text + length, sizeof text - (size_t)length, "%s", room);
         if (i == 0)
             assert_true(brightest_of(gl, text, &mean) > .5);
     }

@@ -72,10 +72,10 @@ static void nothing_gets_out_of_a_room_of_boxes(void **state)
 {
     (void)state;
     static const double walls[] = {.1, .5, 1, 1.4, 2, 4}; /* voxels, about */
-    char capacity[TEXT];
+    char room[TEXT];
     for (size_t i = 0; i < sizeof walls / sizeof *walls; i++) {
-        put_capacity(walls[i] * 3.4 / SIZE, capacity);
-        FrameVoxelsDrawn d = frame_voxels_drawn(capacity, SIZE);
+        put_capacity(walls[i] * 3.4 / SIZE, room);
+        FrameVoxelsDrawn d = frame_voxels_drawn(room, SIZE);
         const double open = most_open(&d);
         print_message("walls of %.2f voxels, in %d waves: of a point's rays %g get out\n",
                       walls[i] * 3.4 / SIZE / d.renderer->voxels->grid.edge,

@@ -25,7 +25,8 @@ static const char head[] =
     "#define FAR_NEAR 17\n#define FAR_MARKS 33\n#define FAR_WORDS 196\n"
     "#define FAR_NUMBERS_BINDING 5\n#define FAR_WORDS_BINDING 4\n"
     "struct Lit { vec3 even, gloss; };\nvec3 surfaceEven(Lit m) { return m.even; }\n"
-    "vec3 surfaceGloss(Lit m) { return m.gloss; }\nbool surfaceLetsThrough(Lit m) { return false; "
+    "vec3 surfaceSpecular(Lit m) { return m.gloss; }\nbool surfaceLetsThrough(Lit m) { return "
+    "false; "
     "}\n";
 
 /* A lamp at a distance of 1, with a power of 1. */
@@ -227,9 +228,9 @@ static double check_gloss(const Case *c, float (*reported)[4])
     const double never = 1e29, rounding = 2e-6 * (1 + c->exponent);
     double share = -1;
     for (int i = 0; i < SURFACES; i++) {
-        const double gloss = gloss_of(c, &c->patches[i]),
-                     off = fabs(gloss - linear_of(c, &c->patches[i], reported));
-        assert_true(gloss <= reported[0][0] * (1 + rounding) + 1e-7);
+        const double specular = gloss_of(c, &c->patches[i]),
+                     off = fabs(specular - linear_of(c, &c->patches[i], reported));
+        assert_true(specular <= reported[0][0] * (1 + rounding) + 1e-7);
         if (reported[0][1] > never)
             continue;
         if (!(off <= reported[0][1] + rounding))

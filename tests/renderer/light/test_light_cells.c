@@ -367,8 +367,8 @@ static void add_ambient(const LitReference *lit, double sum[3])
     lit_reference_albedos(lit, parts);
     for (int i = 0; i < 3; i++) {
         const double albedo = lit->slots.component[SLOT_model][0] > .5
-                                  ? parts[LIT_EVEN][i] + parts[LIT_GLOSS][i] + parts[LIT_COAT][i] +
-                                        parts[LIT_BEHIND][i]
+                                  ? parts[LIT_EVEN][i] + parts[LIT_SPECULAR][i] +
+                                        parts[LIT_COAT][i] + parts[LIT_BEHIND][i]
                                   : lit->slots.component[SLOT_ambient][i];
         sum[i] += 1.5 * front[i] * albedo;
     }
@@ -397,7 +397,7 @@ static void add_hemisphere(const LitReference *lit, double sum[3])
     for (int i = 0; i < 3; i++) {
         const double even = parts[LIT_EVEN][i] + lit->slots.component[SLOT_ambient][i];
         sum[i] += even * hemisphere_matt(z, i) + parts[LIT_BEHIND][i] * hemisphere_matt(-z, i);
-        sum[i] += parts[LIT_GLOSS][i] * hemisphere_mirrored(lit->mirrored[2], i);
+        sum[i] += parts[LIT_SPECULAR][i] * hemisphere_mirrored(lit->mirrored[2], i);
         sum[i] += parts[LIT_COAT][i] * hemisphere_mirrored(of_coat, i);
     }
 }
