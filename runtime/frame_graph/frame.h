@@ -83,8 +83,8 @@ struct Renderer {
     FrameRadiance *radiance;
     FrameIndirect *indirect;
     FramePositions *positions;
-    FramePost *picture;
-    FrameTransparency *glass;
+    FramePost *post;
+    FrameTransparency *transparent;
     /* The scene has changed since passes last counted their work: FrameCount. */
     bool uncounted;
     ScreenPass retired[FRAME_RETIRED_MAX]; /* of the previous scene, for frame_retire() */

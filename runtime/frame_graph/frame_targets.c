@@ -5,7 +5,7 @@
 static const char *const names[FRAME_TARGET_COUNT] = {
     "depth",       "gbuffer", "traced", "shadow",  "voxels",   "cubes",    "mesh",    "radiance",
     "triangle_id", "lists",   "far",    "light",   "rays",     "temporal", "denoise", "ao",
-    "edge",        "mask",    "layer",  "layer.z", "layer.id", "tools",    "shown"};
+    "edge",        "mask",    "layer",  "layer.z", "layer.id", "tools",    "final"};
 
 const char *frame_target_name(FrameTarget target) { return names[target]; }
 
@@ -48,7 +48,7 @@ static int class_of(const Renderer *renderer, const char *format)
 FramePlanTarget frame_plan_target(const Renderer *renderer, FrameTarget target)
 {
     const int apart = renderer->targets.forms[target].coarse == 1 ? 0
-                      : target == FRAME_TARGET_shown              ? SIZE_COUNT
+                      : target == FRAME_TARGET_final              ? SIZE_COUNT
                                                                   : 2 * SIZE_COUNT;
     FramePlanTarget made = {0};
     const char *format;
@@ -129,7 +129,7 @@ static const struct {
     [FRAME_DRAW_ao] = {FRAME_TARGET_ao, -1},
     [FRAME_DRAW_edge] = {FRAME_TARGET_edge, -1},
     [FRAME_DRAW_mask] = {FRAME_TARGET_mask, FRAME_TARGET_depth},
-    [FRAME_DRAW_shown] = {FRAME_TARGET_shown, -1}};
+    [FRAME_DRAW_final] = {FRAME_TARGET_final, -1}};
 
 /* Appends a target's textures to the color attachments. */
 static void add_colors(const Renderer *renderer, FrameTarget target, FramebufferSpec *spec,

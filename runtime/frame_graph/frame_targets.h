@@ -29,7 +29,7 @@ typedef enum {
     FRAME_TARGET_layer_depth,
     FRAME_TARGET_layer_keys, /* sort keys of two layers */
     FRAME_TARGET_tools,      /* colors of the tools, dimmed by the surfaces before them */
-    FRAME_TARGET_shown,
+    FRAME_TARGET_final,
     FRAME_TARGET_COUNT
 } FrameTarget;
 
@@ -47,7 +47,7 @@ typedef enum {
     FRAME_DRAW_ao,
     FRAME_DRAW_edge,
     FRAME_DRAW_mask, /* with depth and stencil */
-    FRAME_DRAW_shown,
+    FRAME_DRAW_final,
     FRAME_DRAW_COUNT
 } FrameDraw;
 

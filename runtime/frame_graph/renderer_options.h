@@ -20,7 +20,7 @@ typedef struct {
     /* How programs compute. A NULL layout selects the smallest that holds the scene's materials;
      * normals are always stored in eye space. Copied. */
     const MatcOptions *compile;
-    /* The result to read: "shown", the picture (NULL); "light"; "depth"; or a slot such as
+    /* The result to read: "final", the picture (NULL); "light"; "depth"; or a slot such as
      * "normal". "shadow" draws only shadow maps (renderer_read_map). "wireframe" is the picture
      * with objects as lines. Debug views of shadow volumes: "volume" and "volumeWireframe" add
      * them to the picture; "wireframes" draws both as lines; "volumeAlone" and

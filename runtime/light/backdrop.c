@@ -9,7 +9,7 @@ static bool is_there(const Renderer *renderer)
 {
     const char *view = renderer->options.view;
     return (renderer->scene->tiles || renderer->scene->glow) && !renderer->options.linear &&
-           (!view || !strcmp(view, "shown"));
+           (!view || !strcmp(view, "final"));
 }
 
 const char *backdrop_text(const Renderer *renderer)

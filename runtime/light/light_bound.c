@@ -112,7 +112,7 @@ bool light_far_check(GlContext *gl, const RendererOptions *options)
 /* Reports whether the picture has 8 bits or half floats, and is the requested view. */
 static bool is_shown(const RendererOptions *options)
 {
-    return !options->deep && (!options->view || !strcmp(options->view, "shown"));
+    return !options->deep && (!options->view || !strcmp(options->view, "final"));
 }
 
 static bool has_buffers(const GlContext *gl)

@@ -47,31 +47,30 @@ static bool make_lines(Renderer *renderer)
                               .components = 4,
                               .floats = floats};
     gl->ActiveTexture(GL_TEXTURE0 + LINES_UNIT); /* texture_make binds the new texture */
-    renderer->picture->edge.lines =
-        floats && texture_check(gl, &spec) ? texture_make(gl, &spec) : 0;
-    renderer->picture->edge.count = list.count;
+    renderer->post->edge.lines = floats && texture_check(gl, &spec) ? texture_make(gl, &spec) : 0;
+    renderer->post->edge.count = list.count;
     edge_list_free(&list);
     free(floats);
-    return renderer->picture->edge.lines || (floats ? false : gl_fail(gl, "out of memory"));
+    return renderer->post->edge.lines || (floats ? false : gl_fail(gl, "out of memory"));
 }
 
 static void pass_edge_place(Renderer *renderer)
 {
     const float corner[4] = {(float)renderer->at[0], (float)renderer->at[1],
                              (float)renderer->whole[0], (float)renderer->whole[1]};
-    if (renderer->picture->edge.material.store)
-        material_set(&renderer->picture->edge.material, &(MaterialValue){"edge_corner", 4, corner});
+    if (renderer->post->edge.material.store)
+        material_set(&renderer->post->edge.material, &(MaterialValue){"edge_corner", 4, corner});
 }
 
 static bool pass_edge_change(Renderer *renderer)
 {
-    if (!renderer->picture->edge.material.store)
+    if (!renderer->post->edge.material.store)
         return true;
-    renderer->gl->DeleteTextures(1, &renderer->picture->edge.lines);
+    renderer->gl->DeleteTextures(1, &renderer->post->edge.lines);
     if (!make_lines(renderer))
         return false;
-    material_set_number(&renderer->picture->edge.material, "edge_count",
-                        (float)renderer->picture->edge.count);
+    material_set_number(&renderer->post->edge.material, "edge_count",
+                        (float)renderer->post->edge.count);
     return true;
 }
 
@@ -81,12 +80,12 @@ static bool pass_edge_make(Renderer *renderer)
     const ProgramText text = {
         .compute = {newest ? "#version 450 core\n" : "#version 430 core\n", render_text_pass_edge}};
     if (!make_lines(renderer) ||
-        !material_make(renderer->store, NULL, &text, &renderer->picture->edge.material))
+        !material_make(renderer->store, NULL, &text, &renderer->post->edge.material))
         return false;
-    material_set_number(&renderer->picture->edge.material, "edge_count",
-                        (float)renderer->picture->edge.count);
-    material_set_number(&renderer->picture->edge.material, "edge_depth", DEPTH_UNIT);
-    material_set_number(&renderer->picture->edge.material, "edge_lines", LINES_UNIT);
+    material_set_number(&renderer->post->edge.material, "edge_count",
+                        (float)renderer->post->edge.count);
+    material_set_number(&renderer->post->edge.material, "edge_depth", DEPTH_UNIT);
+    material_set_number(&renderer->post->edge.material, "edge_lines", LINES_UNIT);
     pass_edge_place(renderer);
     return true;
 }
@@ -97,23 +96,23 @@ static void pass_edge_draw(Renderer *renderer)
     GlContext *gl = renderer->gl;
     frame_use(renderer, &renderer->targets.draws[FRAME_DRAW_edge]);
     gl->ClearBufferuiv(GL_COLOR, 0, none);
-    if (!renderer->picture->edge.count)
+    if (!renderer->post->edge.count)
         return;
     texture_bind(gl, frame_texture(renderer, FRAME_TARGET_depth, 0), DEPTH_UNIT);
-    texture_bind(gl, renderer->picture->edge.lines, LINES_UNIT);
-    material_use(&renderer->picture->edge.material);
+    texture_bind(gl, renderer->post->edge.lines, LINES_UNIT);
+    material_use(&renderer->post->edge.material);
     gl->BindImageTexture(0, frame_texture(renderer, FRAME_TARGET_edge, 0), 0, GL_FALSE, 0,
                          GL_READ_WRITE, GL_R32UI);
-    gl->DispatchCompute(((GLuint)renderer->picture->edge.count + GROUP - 1) / GROUP, 1, 1);
+    gl->DispatchCompute(((GLuint)renderer->post->edge.count + GROUP - 1) / GROUP, 1, 1);
     gl->MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
 }
 
 static void pass_edge_delete(Renderer *renderer)
 {
-    if (renderer->picture->edge.material.store)
-        material_delete(&renderer->picture->edge.material);
-    renderer->gl->DeleteTextures(1, &renderer->picture->edge.lines); /* GL ignores the name 0 */
-    renderer->picture->edge = (FrameEdge){0};
+    if (renderer->post->edge.material.store)
+        material_delete(&renderer->post->edge.material);
+    renderer->gl->DeleteTextures(1, &renderer->post->edge.lines); /* GL ignores the name 0 */
+    renderer->post->edge = (FrameEdge){0};
 }
 
 static bool pass_edge_changed(Renderer *renderer, unsigned what)

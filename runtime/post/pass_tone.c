@@ -58,22 +58,22 @@ static bool make_measures(Renderer *renderer, const char *kind)
     if (!measures(renderer))
         return true;
     if (!measure_make(renderer->store, renderer->size, renderer->compute, first,
-                      &renderer->picture->measured))
+                      &renderer->post->measured))
         return false;
-    set_steps(renderer, &renderer->picture->measured);
+    set_steps(renderer, &renderer->post->measured);
     if (!adapts(renderer->scene))
         return true;
     if (!measure_make(renderer->store, renderer->size, renderer->compute, second,
-                      &renderer->picture->adapted))
+                      &renderer->post->adapted))
         return false;
-    set_steps(renderer, &renderer->picture->adapted);
+    set_steps(renderer, &renderer->post->adapted);
     return true;
 }
 
 static void pass_tone_place(Renderer *renderer)
 {
-    if (renderer->picture->tone.material.store)
-        backdrop_set(renderer, false, &renderer->picture->tone);
+    if (renderer->post->tone.material.store)
+        backdrop_set(renderer, false, &renderer->post->tone);
 }
 
 static bool pass_tone_make(Renderer *renderer)
@@ -87,15 +87,15 @@ static bool pass_tone_make(Renderer *renderer)
         .body = {kind, render_text_tone, backdrop_text(renderer),
                  has_edges(renderer) ? render_text_edge_part : render_text_edge_none,
                  render_text_pass_tone},
-        .format = frame_format(renderer, FRAME_TARGET_shown, 0),
+        .format = frame_format(renderer, FRAME_TARGET_final, 0),
         .compute = renderer->compute};
     if (!make_measures(renderer, kind) ||
-        !screen_pass_make(renderer->store, &text, &renderer->picture->tone))
+        !screen_pass_make(renderer->store, &text, &renderer->post->tone))
         return false;
-    set_numbers(renderer, &renderer->picture->tone);
-    screen_pass_sampler(&renderer->picture->tone, "tone_light", LIGHT_UNIT);
-    screen_pass_sampler(&renderer->picture->tone, "edge_words", EDGE_UNIT);
-    screen_pass_sampler(&renderer->picture->tone, "tone_tools", TOOLS_UNIT);
+    set_numbers(renderer, &renderer->post->tone);
+    screen_pass_sampler(&renderer->post->tone, "tone_light", LIGHT_UNIT);
+    screen_pass_sampler(&renderer->post->tone, "edge_words", EDGE_UNIT);
+    screen_pass_sampler(&renderer->post->tone, "tone_tools", TOOLS_UNIT);
     pass_tone_place(renderer);
     return true;
 }
@@ -117,15 +117,15 @@ static bool measure_tile(Renderer *renderer, Measure *measure)
 {
     int part[2][2];
     float texels[MEASURE_TEXELS][4];
-    const bool adapted = measure == &renderer->picture->adapted;
+    const bool adapted = measure == &renderer->post->adapted;
     find_part(renderer, part);
     measure_set_part(measure, (const int(*)[2])part);
     if (adapted)
-        texture_bind(renderer->gl, renderer->picture->whole[0], MEASURED_UNIT);
+        texture_bind(renderer->gl, renderer->post->whole[0], MEASURED_UNIT);
     measure_run(measure, frame_texture(renderer, FRAME_TARGET_light, 0), &renderer->screen);
     if (!measure_read(measure, texels))
         return false;
-    measure_merge(renderer->picture->whole_texels[adapted], (const float(*)[4])texels);
+    measure_merge(renderer->post->whole_texels[adapted], (const float(*)[4])texels);
     return true;
 }
 
@@ -134,20 +134,20 @@ static bool make_whole(Renderer *renderer, int number)
     const TextureSpec spec = {.width = MEASURE_TEXELS,
                               .height = 1,
                               .components = 4,
-                              .floats = renderer->picture->whole_texels[number][0]};
+                              .floats = renderer->post->whole_texels[number][0]};
     renderer->gl->ActiveTexture(GL_TEXTURE0); /* texture_make binds the new texture */
-    renderer->picture->whole[number] = texture_make(renderer->gl, &spec);
-    return renderer->picture->whole[number] != 0;
+    renderer->post->whole[number] = texture_make(renderer->gl, &spec);
+    return renderer->post->whole[number] != 0;
 }
 
 static bool begin_whole(Renderer *renderer)
 {
     static const float nothing[MEASURE_TEXELS][4] = {
         {0}, {0}, {0, 0, MEASURE_GREATEST, MEASURE_GREATEST}};
-    renderer->gl->DeleteTextures(2, renderer->picture->whole); /* GL ignores the name 0 */
+    renderer->gl->DeleteTextures(2, renderer->post->whole); /* GL ignores the name 0 */
     for (int i = 0; i < 2; i++) {
-        renderer->picture->whole[i] = 0;
-        memcpy(renderer->picture->whole_texels[i], nothing, sizeof nothing);
+        renderer->post->whole[i] = 0;
+        memcpy(renderer->post->whole_texels[i], nothing, sizeof nothing);
     }
     return true;
 }
@@ -155,7 +155,7 @@ static bool begin_whole(Renderer *renderer)
 /* The second reduction uses the result of the first. */
 static bool pass_tone_count(Renderer *renderer, FrameCount step)
 {
-    const bool second = renderer->picture->whole[0] != 0;
+    const bool second = renderer->post->whole[0] != 0;
     switch (step) {
     case FRAME_COUNT_wanted:
         return measures(renderer) && is_tiled(renderer);
@@ -163,7 +163,7 @@ static bool pass_tone_count(Renderer *renderer, FrameCount step)
         return begin_whole(renderer);
     case FRAME_COUNT_tile:
         return measure_tile(renderer,
-                            second ? &renderer->picture->adapted : &renderer->picture->measured);
+                            second ? &renderer->post->adapted : &renderer->post->measured);
     case FRAME_COUNT_again:
         return !second && make_whole(renderer, 0) && adapts(renderer->scene);
     default:
@@ -175,41 +175,40 @@ static bool pass_tone_count(Renderer *renderer, FrameCount step)
 static void measure_picture(Renderer *renderer)
 {
     const GLuint light = frame_texture(renderer, FRAME_TARGET_light, 0);
-    if (renderer->picture->measured.count) {
-        measure_run(&renderer->picture->measured, light, &renderer->screen);
-        texture_bind(renderer->gl, measure_result(&renderer->picture->measured), MEASURED_UNIT);
+    if (renderer->post->measured.count) {
+        measure_run(&renderer->post->measured, light, &renderer->screen);
+        texture_bind(renderer->gl, measure_result(&renderer->post->measured), MEASURED_UNIT);
     }
-    if (renderer->picture->adapted.count) {
-        measure_run(&renderer->picture->adapted, light, &renderer->screen);
-        texture_bind(renderer->gl, measure_result(&renderer->picture->adapted), ADAPTED_UNIT);
+    if (renderer->post->adapted.count) {
+        measure_run(&renderer->post->adapted, light, &renderer->screen);
+        texture_bind(renderer->gl, measure_result(&renderer->post->adapted), ADAPTED_UNIT);
     }
 }
 
 static void pass_tone_draw(Renderer *renderer)
 {
     const GLuint light = frame_texture(renderer, FRAME_TARGET_light, 0);
-    if (!renderer->picture->whole[0])
+    if (!renderer->post->whole[0])
         measure_picture(renderer);
     for (int i = 0; i < 2; i++)
-        if (renderer->picture->whole[i])
-            texture_bind(renderer->gl, renderer->picture->whole[i],
-                         i ? ADAPTED_UNIT : MEASURED_UNIT);
+        if (renderer->post->whole[i])
+            texture_bind(renderer->gl, renderer->post->whole[i], i ? ADAPTED_UNIT : MEASURED_UNIT);
     texture_bind(renderer->gl, light, LIGHT_UNIT);
     if (has_edges(renderer))
         texture_bind(renderer->gl, frame_texture(renderer, FRAME_TARGET_edge, 0), EDGE_UNIT);
     if (pass_tools_enabled(renderer))
         texture_bind(renderer->gl, frame_texture(renderer, FRAME_TARGET_tools, 0), TOOLS_UNIT);
-    screen_pass_run(&renderer->picture->tone, &renderer->targets.draws[FRAME_DRAW_shown],
+    screen_pass_run(&renderer->post->tone, &renderer->targets.draws[FRAME_DRAW_final],
                     &renderer->screen);
 }
 
 static void pass_tone_delete(Renderer *renderer)
 {
-    frame_retire(renderer, &renderer->picture->tone);
-    measure_delete(renderer->gl, &renderer->picture->measured);
-    measure_delete(renderer->gl, &renderer->picture->adapted);
-    renderer->gl->DeleteTextures(2, renderer->picture->whole); /* GL ignores the name 0 */
-    memset(renderer->picture->whole, 0, sizeof renderer->picture->whole);
+    frame_retire(renderer, &renderer->post->tone);
+    measure_delete(renderer->gl, &renderer->post->measured);
+    measure_delete(renderer->gl, &renderer->post->adapted);
+    renderer->gl->DeleteTextures(2, renderer->post->whole); /* GL ignores the name 0 */
+    memset(renderer->post->whole, 0, sizeof renderer->post->whole);
 }
 
 static bool pass_tone_needed(const Renderer *renderer) { return renderer->scene != NULL; }
@@ -222,7 +221,7 @@ static bool pass_tone_changed(Renderer *renderer, unsigned what)
 
 const FramePass pass_tone = {
     .plan = {"tone", .reads = FRAME_BIT(light) | FRAME_BIT(edge) | FRAME_BIT(tools),
-             .fills = FRAME_BIT(shown), .own = FRAME_BIT(edge)},
+             .fills = FRAME_BIT(final), .own = FRAME_BIT(edge)},
     .when = "the picture is wanted",
     .needed = pass_tone_needed,
     .make = pass_tone_make,

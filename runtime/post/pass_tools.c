@@ -18,7 +18,7 @@ static bool pass_tools_needed(const Renderer *renderer)
     if (renderer->scene && frame_look_has_shadows(renderer))
         return true;
     return tools && (tools->grid || tools->axes || tools->lights) && !renderer->options.linear &&
-           (!view || !strcmp(view, "shown"));
+           (!view || !strcmp(view, "final"));
 }
 
 bool pass_tools_enabled(const Renderer *renderer)
@@ -28,12 +28,12 @@ bool pass_tools_enabled(const Renderer *renderer)
 
 static void set(Renderer *renderer, const char *name, const float values[4])
 {
-    material_set(&renderer->picture->tools.material, &(MaterialValue){name, 4, values});
+    material_set(&renderer->post->tools.material, &(MaterialValue){name, 4, values});
 }
 
 static void pass_tools_place(Renderer *renderer)
 {
-    if (renderer->picture->tools.material.store)
+    if (renderer->post->tools.material.store)
         set(renderer, "tools_ray", renderer->space.ray);
 }
 
@@ -52,13 +52,13 @@ static bool make_vertices(Renderer *renderer)
     ToolLines lines;
     if (!tool_lines_make(renderer->scene, &renderer->space, &lines))
         return gl_fail(renderer->gl, "out of memory");
-    renderer->picture->tools.count = lines.count;
-    if (!renderer->picture->tools.array) {
-        gl->GenVertexArrays(1, &renderer->picture->tools.array);
-        gl->GenBuffers(1, &renderer->picture->tools.buffer);
+    renderer->post->tools.count = lines.count;
+    if (!renderer->post->tools.array) {
+        gl->GenVertexArrays(1, &renderer->post->tools.array);
+        gl->GenBuffers(1, &renderer->post->tools.buffer);
     }
-    gl->BindVertexArray(renderer->picture->tools.array);
-    gl->BindBuffer(GL_ARRAY_BUFFER, renderer->picture->tools.buffer);
+    gl->BindVertexArray(renderer->post->tools.array);
+    gl->BindBuffer(GL_ARRAY_BUFFER, renderer->post->tools.buffer);
     gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)lines.count * (GLsizeiptr)sizeof *lines.vertices,
                    lines.vertices, GL_DYNAMIC_DRAW);
     for (GLuint i = 0; i < 2; i++) {
@@ -76,7 +76,7 @@ static bool make_vertices(Renderer *renderer)
 static bool pass_tools_change(Renderer *renderer)
 {
     const float *m = renderer->space.spaces.clip_from_eye.m;
-    if (!renderer->picture->tools.material.store)
+    if (!renderer->post->tools.material.store)
         return true;
     set(renderer, "tools_clip", (float[]){m[0], m[5], m[10], m[14]});
     set(renderer, "tools_w", (float[]){m[11], m[15], 0, 0});
@@ -99,8 +99,8 @@ static bool make_targets(Renderer *renderer)
                                        .depth = frame_texture(renderer, FRAME_TARGET_depth, 0),
                                        .formats = {format, format}},
                               veil = {.colors = {shown}, .formats = {format}};
-    return framebuffer_make_around(renderer->gl, &both, &lines, &renderer->picture->tools.lines) &&
-           framebuffer_make_around(renderer->gl, &alone, &veil, &renderer->picture->tools.colors);
+    return framebuffer_make_around(renderer->gl, &both, &lines, &renderer->post->tools.lines) &&
+           framebuffer_make_around(renderer->gl, &alone, &veil, &renderer->post->tools.colors);
 }
 
 static bool pass_tools_make(Renderer *renderer)
@@ -110,7 +110,7 @@ static bool pass_tools_make(Renderer *renderer)
     const ProgramText text = {.vertex = {head, render_text_tools_vertex},
                               .fragment = {head, render_text_tools_fragment}};
     return make_targets(renderer) &&
-           material_make(renderer->store, NULL, &text, &renderer->picture->tools.material) &&
+           material_make(renderer->store, NULL, &text, &renderer->post->tools.material) &&
            pass_tools_change(renderer) && shadow_methods_look_make(renderer);
 }
 
@@ -118,11 +118,11 @@ static void pass_tools_draw(Renderer *renderer)
 {
     static const float none[4];
     const GlContext *gl = renderer->gl;
-    surface_draw_begin(renderer, &renderer->picture->tools.lines, GL_GREATER);
+    surface_draw_begin(renderer, &renderer->post->tools.lines, GL_GREATER);
     gl->ClearBufferfv(GL_COLOR, 1, none);
-    material_use(&renderer->picture->tools.material);
-    gl->BindVertexArray(renderer->picture->tools.array);
-    gl->DrawArrays(GL_LINES, 0, renderer->picture->tools.count);
+    material_use(&renderer->post->tools.material);
+    gl->BindVertexArray(renderer->post->tools.array);
+    gl->DrawArrays(GL_LINES, 0, renderer->post->tools.count);
     gl->BindVertexArray(0);
     shadow_methods_look_draw(renderer);
     surface_draw_end(renderer);
@@ -131,26 +131,26 @@ static void pass_tools_draw(Renderer *renderer)
 bool pass_tools_make_veil(Renderer *renderer, const LightingText *text)
 {
     return !pass_tools_enabled(renderer) ||
-           lighting_make(renderer, text, &renderer->picture->tools.veil);
+           lighting_make(renderer, text, &renderer->post->tools.veil);
 }
 
 void pass_tools_draw_veil(Renderer *renderer)
 {
     if (pass_tools_enabled(renderer))
-        screen_pass_run(&renderer->picture->tools.veil, &renderer->picture->tools.colors,
+        screen_pass_run(&renderer->post->tools.veil, &renderer->post->tools.colors,
                         &renderer->screen);
 }
 
 static void pass_tools_delete(Renderer *renderer)
 {
     const GlContext *gl = renderer->gl;
-    material_delete(&renderer->picture->tools.material);
-    screen_pass_delete(&renderer->picture->tools.veil);
-    framebuffer_delete(gl, &renderer->picture->tools.lines);
-    framebuffer_delete(gl, &renderer->picture->tools.colors);
-    gl->DeleteVertexArrays(1, &renderer->picture->tools.array); /* GL ignores the name 0 */
-    gl->DeleteBuffers(1, &renderer->picture->tools.buffer);
-    renderer->picture->tools = (FrameTools){0};
+    material_delete(&renderer->post->tools.material);
+    screen_pass_delete(&renderer->post->tools.veil);
+    framebuffer_delete(gl, &renderer->post->tools.lines);
+    framebuffer_delete(gl, &renderer->post->tools.colors);
+    gl->DeleteVertexArrays(1, &renderer->post->tools.array); /* GL ignores the name 0 */
+    gl->DeleteBuffers(1, &renderer->post->tools.buffer);
+    renderer->post->tools = (FrameTools){0};
 }
 
 static void pass_tools_place_all(Renderer *renderer)

@@ -77,7 +77,7 @@ static unsigned wanted(const Renderer *renderer)
             !strcmp(view, frame_target_name((FrameTarget)target)))
             return 1u << target | kept;
     if (!view)
-        return FRAME_BIT(shown) | kept;
+        return FRAME_BIT(final) | kept;
     return strcmp(view, "shadow") ? FRAME_BIT(gbuffer)
                                   : FRAME_BIT(light) | FRAME_BIT(shadow) | kept;
 }

@@ -44,7 +44,7 @@ static const char *format_of(const Renderer *renderer, FrameTarget target, int t
                                                  [FRAME_TARGET_traced] = "RGBA32UI",
                                                  [FRAME_TARGET_triangle_id] = "R32UI",
                                                  [FRAME_TARGET_edge] = "R32UI",
-                                                 [FRAME_TARGET_shown] = shown_format(renderer)};
+                                                 [FRAME_TARGET_final] = shown_format(renderer)};
     const char *const own = shadow_methods_target(renderer, target);
     if (own)
         return texture == 0 ? own : NULL;
@@ -58,7 +58,7 @@ static const char *format_of(const Renderer *renderer, FrameTarget target, int t
 /* Returns the resolution divisor of a target per axis. */
 static int coarse_of(const Renderer *renderer, FrameTarget target)
 {
-    if (target == FRAME_TARGET_shown)
+    if (target == FRAME_TARGET_final)
         return renderer->samples;
     return target == FRAME_TARGET_rays || target == FRAME_TARGET_denoise ? indirect_coarse(renderer)
                                                                          : 1;

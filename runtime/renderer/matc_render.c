@@ -314,7 +314,7 @@ int matc_renderer_width(const MatcRenderer *r) { return r ? renderer_width(r->re
 int matc_renderer_height(const MatcRenderer *r) { return r ? renderer_height(r->renderer) : 0; }
 unsigned matc_renderer_texture(const MatcRenderer *r)
 {
-    return r && r->scene ? frame_texture(r->renderer, FRAME_TARGET_shown, 0) : 0;
+    return r && r->scene ? frame_texture(r->renderer, FRAME_TARGET_final, 0) : 0;
 }
 
 static bool is_rectangle(const int rectangle[4])

@@ -102,7 +102,7 @@ typedef struct {
     void *user; /* passed to load */
     /* How programs compute; NULL: the defaults. */
     const MatcOptions *compile;
-    /* "shown", the picture (NULL), "light", "depth", or a slot such as "normal" */
+    /* "final", the picture (NULL), "light", "depth", or a slot such as "normal" */
     const char *view;
     int width, height; /* of the picture; 0: the scene's size */
 } MatcRendererOptions;
@@ -167,7 +167,7 @@ MATC_API int matc_renderer_height(const MatcRenderer *renderer);
 /* Returns the texture of the picture, RGBA8 in sRGB; 0 for any other view. The renderer owns the
  * texture, which is valid until the next scene. */
 MATC_API unsigned matc_renderer_texture(const MatcRenderer *renderer);
-/* Reads the view, four floats per pixel, rows from the bottom up: "shown" is sRGB, "light" is
+/* Reads the view, four floats per pixel, rows from the bottom up: "final" is sRGB, "light" is
  * linear, "depth" is in the first component. */
 MATC_API bool matc_renderer_read(MatcRenderer *renderer, float *floats);
 

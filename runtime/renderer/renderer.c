@@ -36,7 +36,7 @@ static const FrameLook *look_of(const char *view)
 
 bool renderer_view_is_picture(const char *view)
 {
-    return !strcmp(view, "shown") || look_of(view) != NULL;
+    return !strcmp(view, "final") || look_of(view) != NULL;
 }
 
 static bool is_target(const char *view)
@@ -55,8 +55,8 @@ static Renderer *compose(RendererState *state)
     renderer->radiance = &state->radiance;
     renderer->indirect = &state->indirect;
     renderer->positions = &state->positions;
-    renderer->picture = &state->picture;
-    renderer->glass = &state->glass;
+    renderer->post = &state->post;
+    renderer->transparent = &state->transparent;
     return renderer;
 }
 
@@ -65,8 +65,8 @@ Renderer *renderer_open(GlContext *gl, const RendererOptions *options)
     if (options->view && !is_target(options->view) &&
         renderer_find_slot(options->view) == SLOT_COUNT)
         return gl_fail(gl,
-                       "there is no view '%s': shown, wireframe, volume, light, depth, shadow, "
-                       "positions, voxels, open, "
+                       "there is no view '%s': final, wireframe, volume, light, depth, shadow, "
+                       "positions, voxels, ao, "
                        "indirect, bent, visibility, or a slot",
                        options->view),
                NULL;
@@ -382,7 +382,7 @@ int renderer_components(const Renderer *renderer)
     const char *view = renderer->options.view;
     if (view && indirect_view_components(view))
         return indirect_view_components(view);
-    if (!view || !strcmp(view, "shown") || !strcmp(view, "light") || voxels_view_level(view) >= 0 ||
+    if (!view || !strcmp(view, "final") || !strcmp(view, "light") || voxels_view_level(view) >= 0 ||
         pass_positions_is_view(view))
         return 4;
     const int components = strcmp(view, "depth") && strcmp(view, "shadow")

@@ -13,7 +13,7 @@
 #include "runtime/gl/context.h"
 #include "runtime/scene/scene.h"
 
-/* Reports whether the view is the picture: "shown", or a debug view with lines or shadow
+/* Reports whether the view is the picture: "final", or a debug view with lines or shadow
  * volumes. */
 bool renderer_view_is_picture(const char *view);
 /* Opens a renderer. Returns NULL on failure; see gl->error. */
@@ -58,7 +58,7 @@ void renderer_set_tile(Renderer *renderer, int x, int y);
 /* Returns the components of the view: 4 for light, 1 for depth; for a slot its own number, but 3
  * instead of 2. */
 int renderer_components(const Renderer *renderer);
-/* Reads the tile's view, four floats per pixel, row 0 at the bottom: "shown" is sRGB, "light" is
+/* Reads the tile's view, four floats per pixel, row 0 at the bottom: "final" is sRGB, "light" is
  * linear, "depth" is in the first component. For depth and slots the last component is the
  * pixel's coverage by surfaces. */
 bool renderer_read(Renderer *renderer, float *rgba);

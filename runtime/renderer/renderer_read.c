@@ -11,7 +11,7 @@
 
 static const char *view_of(const Renderer *renderer)
 {
-    return renderer->options.view ? renderer->options.view : "shown";
+    return renderer->options.view ? renderer->options.view : "final";
 }
 
 /* Reads coverage into the last component, and, with `shown`, depth into the first. */
@@ -118,8 +118,8 @@ bool renderer_read(Renderer *renderer, float *rgba)
         return gl_fail(renderer->gl, "there is no scene to read");
     if (!gl_check(renderer->gl, "drawing a frame"))
         return false;
-    if (!strcmp(view_of(renderer), "shown"))
-        return framebuffer_read_part(renderer->gl, &renderer->targets.draws[FRAME_DRAW_shown],
+    if (!strcmp(view_of(renderer), "final"))
+        return framebuffer_read_part(renderer->gl, &renderer->targets.draws[FRAME_DRAW_final],
                                      &part, rgba);
     return renderer->samples > 1 || renderer->margin ? read_mean(renderer, rgba)
                                                      : read_samples(renderer, rgba);

@@ -19,7 +19,7 @@ typedef struct {
     FrameRadiance radiance;
     FrameIndirect indirect;
     FramePositions positions;
-    FramePost picture;
-    FrameTransparency glass;
+    FramePost post;
+    FrameTransparency transparent;
 } RendererState;
 #endif

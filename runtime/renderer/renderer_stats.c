@@ -305,8 +305,9 @@ int renderer_pixel_bytes(const Renderer *renderer) { return frame_all_bytes(rend
 
 int renderer_fragment_bytes(const Renderer *renderer)
 {
-    return renderer->glass->lists.buffer ? (int)sizeof(GLuint) * transparency_stride(&renderer->set)
-                                         : 0;
+    return renderer->transparent->lists.buffer
+               ? (int)sizeof(GLuint) * transparency_stride(&renderer->set)
+               : 0;
 }
 
 char *renderer_stats(Renderer *renderer)

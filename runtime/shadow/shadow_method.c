@@ -86,7 +86,7 @@ bool shadow_method_sees(const Renderer *renderer)
 bool shadow_shows_light(const Renderer *renderer)
 {
     const char *view = renderer->options.view;
-    return !view || !strcmp(view, "shown") || !strcmp(view, "light");
+    return !view || !strcmp(view, "final") || !strcmp(view, "light");
 }
 
 bool shadow_seen_fits(const Renderer *renderer)

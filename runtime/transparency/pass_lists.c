@@ -29,11 +29,11 @@ static bool make_buffer(Renderer *renderer, GLuint capacity)
                                       [LISTS_PIXELS] =
                                           (GLuint)renderer->size[0] * (GLuint)renderer->size[1],
                                       [LISTS_CAPACITY] = capacity};
-    renderer->glass->lists.bytes = bytes_of(renderer, capacity);
-    if (!renderer->glass->lists.buffer)
-        gl->GenBuffers(1, &renderer->glass->lists.buffer);
-    gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, renderer->glass->lists.buffer);
-    gl->BufferData(GL_SHADER_STORAGE_BUFFER, (GLsizeiptr)renderer->glass->lists.bytes, NULL,
+    renderer->transparent->lists.bytes = bytes_of(renderer, capacity);
+    if (!renderer->transparent->lists.buffer)
+        gl->GenBuffers(1, &renderer->transparent->lists.buffer);
+    gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, renderer->transparent->lists.buffer);
+    gl->BufferData(GL_SHADER_STORAGE_BUFFER, (GLsizeiptr)renderer->transparent->lists.bytes, NULL,
                    GL_DYNAMIC_COPY);
     gl->BufferSubData(GL_SHADER_STORAGE_BUFFER, 0, sizeof head, head);
     return gl_check(renderer->gl, "making room for transparent fragments");
@@ -48,7 +48,7 @@ static void draw(Renderer *renderer)
     renderer->gl->DrawBuffers(1, &none);
     renderer->gl->DepthMask(GL_FALSE);
     texture_bind(renderer->gl, frame_texture(renderer, FRAME_TARGET_depth, 0),
-                 renderer->glass->lists.depth_unit);
+                 renderer->transparent->lists.depth_unit);
     surface_draw_objects(renderer, true);
     surface_draw_planes(renderer, true);
     renderer->gl->DepthMask(GL_TRUE);
@@ -59,7 +59,8 @@ static void pass_lists_draw(Renderer *renderer)
 {
     const GlContext *gl = renderer->gl;
     const size_t heads = bytes_of(renderer, 0) - LISTS_COUNT * sizeof(GLuint);
-    gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, TRANSPARENCY_LISTS, renderer->glass->lists.buffer);
+    gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, TRANSPARENCY_LISTS,
+                       renderer->transparent->lists.buffer);
     gl->ClearBufferSubData(GL_SHADER_STORAGE_BUFFER, GL_R32UI, LISTS_COUNT * sizeof(GLuint),
                            (GLsizeiptr)heads, GL_RED_INTEGER, GL_UNSIGNED_INT, NULL);
     draw(renderer);
@@ -73,21 +74,21 @@ static bool count_fragments(Renderer *renderer)
     GlContext *gl = renderer->gl;
     GLuint count = 0;
     pass_lists_draw(renderer);
-    gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, renderer->glass->lists.buffer);
+    gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, renderer->transparent->lists.buffer);
     gl->GetBufferSubData(GL_SHADER_STORAGE_BUFFER, LISTS_COUNT * sizeof(GLuint), sizeof count,
                          &count);
-    if (count > renderer->glass->lists.fragments)
-        renderer->glass->lists.fragments = count;
+    if (count > renderer->transparent->lists.fragments)
+        renderer->transparent->lists.fragments = count;
     return gl_check(gl, "counting transparent fragments");
 }
 
 /* Allocates the lists, if within the memory limit. */
 static bool make_capacity(Renderer *renderer)
 {
-    const GLuint count = renderer->glass->lists.fragments;
+    const GLuint count = renderer->transparent->lists.fragments;
     const size_t most = transparency_most_bytes(renderer);
-    renderer->glass->lists.full = bytes_of(renderer, count) > most;
-    if (renderer->glass->lists.full)
+    renderer->transparent->lists.full = bytes_of(renderer, count) > most;
+    if (renderer->transparent->lists.full)
         return gl_fail(
             renderer->gl, "%lu transparent fragments take %lu bytes in lists, and there may be %lu",
             (unsigned long)count, (unsigned long)bytes_of(renderer, count), (unsigned long)most);
@@ -103,7 +104,7 @@ static bool pass_lists_count(Renderer *renderer, FrameCount step)
         return count_fragments(renderer);
     if (step == FRAME_COUNT_end)
         return make_capacity(renderer);
-    renderer->glass->lists.fragments = 0;
+    renderer->transparent->lists.fragments = 0;
     return bytes_of(renderer, 0) > transparency_most_bytes(renderer) ? make_capacity(renderer)
                                                                      : make_buffer(renderer, 0);
 }
@@ -113,7 +114,7 @@ static bool pass_lists_make(Renderer *renderer)
     int units[2];
     if (!transparency_units(renderer, units))
         return false;
-    renderer->glass->lists.depth_unit = units[0];
+    renderer->transparent->lists.depth_unit = units[0];
     transparency_set(renderer, "lists_depth", (float)units[0]);
     return true;
 }
@@ -126,7 +127,7 @@ static bool pass_blend_make(Renderer *renderer)
     return lighting_make(
                renderer,
                &(LightingText){{reader, render_text_pass_blend}, true, 0, LIGHTING_layers},
-               &renderer->glass->blend) &&
+               &renderer->transparent->blend) &&
            pass_tools_make_veil(
                renderer, &(LightingText){{veil, render_text_pass_blend}, true, 0, LIGHTING_layers});
 }
@@ -135,23 +136,24 @@ static bool pass_blend_make(Renderer *renderer)
 static void pass_blend_draw(Renderer *renderer)
 {
     renderer->gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, TRANSPARENCY_LISTS,
-                                 renderer->glass->lists.buffer);
+                                 renderer->transparent->lists.buffer);
     lighting_run(renderer, &(LightingSource){FRAME_TARGET_gbuffer, FRAME_TARGET_depth, 0},
-                 &renderer->glass->blend);
+                 &renderer->transparent->blend);
     pass_tools_draw_veil(renderer);
 }
 
 static void pass_lists_delete(Renderer *renderer)
 {
-    renderer->gl->DeleteBuffers(1, &renderer->glass->lists.buffer); /* GL ignores the name 0 */
-    renderer->glass->lists = (FrameLists){0};
+    renderer->gl->DeleteBuffers(1,
+                                &renderer->transparent->lists.buffer); /* GL ignores the name 0 */
+    renderer->transparent->lists = (FrameLists){0};
 }
 
 /* Falls back to depth peeling if the lists exceed the memory limit, unless the user chose lists. */
 static bool pass_lists_fall_back(Renderer *renderer)
 {
     const char *method = renderer->options.transparency;
-    if (!renderer->glass->lists.full || (method && !strcmp(method, "lists")))
+    if (!renderer->transparent->lists.full || (method && !strcmp(method, "lists")))
         return false;
     renderer->transparency = TRANSPARENCY_peeling;
     return true;
@@ -159,7 +161,7 @@ static bool pass_lists_fall_back(Renderer *renderer)
 
 void transparency_put_lists(Text *out, const Renderer *renderer)
 {
-    const FrameLists *lists = &renderer->glass->lists;
+    const FrameLists *lists = &renderer->transparent->lists;
     if (lists->buffer)
         text_format(out, "%-8s  %-24s  4, and %d a fragment: %lu bytes for %lu\n", "lists",
                     "a buffer", 4 * transparency_stride(&renderer->set),
@@ -170,21 +172,21 @@ void transparency_put_lists(Text *out, const Renderer *renderer)
 
 static void pass_blend_place(Renderer *renderer)
 {
-    lighting_place(renderer, &renderer->glass->blend);
+    lighting_place(renderer, &renderer->transparent->blend);
 }
 static bool pass_blend_changed(Renderer *renderer, unsigned what)
 {
-    return lighting_changed(renderer, what, &renderer->glass->blend);
+    return lighting_changed(renderer, what, &renderer->transparent->blend);
 }
 static void pass_blend_forget(Renderer *renderer)
 {
-    frame_retire(renderer, &renderer->glass->blend);
+    frame_retire(renderer, &renderer->transparent->blend);
 }
 
 static bool pass_blend_moved(Renderer *renderer, int first, int count)
 {
     (void)first, (void)count;
-    lighting_moved(renderer, &renderer->glass->blend);
+    lighting_moved(renderer, &renderer->transparent->blend);
     return true;
 }
 

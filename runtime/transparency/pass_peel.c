@@ -32,7 +32,7 @@ static bool make_layer(Renderer *renderer, int number)
     textures.formats[spec.color_count] = frame_format(renderer, FRAME_TARGET_layer_keys, number);
     textures.colors[spec.color_count++] = frame_texture(renderer, FRAME_TARGET_layer_keys, number);
     return framebuffer_make_around(renderer->gl, &spec, &textures,
-                                   &renderer->glass->layers[number]);
+                                   &renderer->transparent->layers[number]);
 }
 
 /* Returns the max number of triangles of an object. */
@@ -71,12 +71,13 @@ static void draw_layer(Renderer *renderer, int number)
     static const float nearest[4] = {1};
     const GlContext *gl = renderer->gl;
     const GLuint behind = frame_texture(renderer, FRAME_TARGET_layer_keys, !number);
-    surface_draw_begin(renderer, &renderer->glass->layers[number], GL_LEQUAL);
-    gl->ClearBufferuiv(GL_COLOR, renderer->glass->layers[number].spec.color_count - 1, nothing);
+    surface_draw_begin(renderer, &renderer->transparent->layers[number], GL_LEQUAL);
+    gl->ClearBufferuiv(GL_COLOR, renderer->transparent->layers[number].spec.color_count - 1,
+                       nothing);
     gl->ClearBufferfv(GL_DEPTH, 0, nearest);
     texture_bind(gl, frame_texture(renderer, FRAME_TARGET_depth, 0),
-                 renderer->glass->peel_units[0]);
-    texture_bind(gl, behind, renderer->glass->peel_units[1]);
+                 renderer->transparent->peel_units[0]);
+    texture_bind(gl, behind, renderer->transparent->peel_units[1]);
     surface_draw_objects(renderer, true);
     surface_draw_planes(renderer, true);
     surface_draw_end(renderer);
@@ -86,8 +87,9 @@ static void draw_layer(Renderer *renderer, int number)
 static void begin_layers(Renderer *renderer)
 {
     static const GLuint none[4] = {0, ~0u};
-    framebuffer_use(renderer->gl, &renderer->glass->layers[1]);
-    renderer->gl->ClearBufferuiv(GL_COLOR, renderer->glass->layers[1].spec.color_count - 1, none);
+    framebuffer_use(renderer->gl, &renderer->transparent->layers[1]);
+    renderer->gl->ClearBufferuiv(GL_COLOR, renderer->transparent->layers[1].spec.color_count - 1,
+                                 none);
 }
 
 /* Counts layers, until one has no fragment. Keeps the maximum of all tiles. */
@@ -106,15 +108,15 @@ static bool count_layers(Renderer *renderer)
         count += fragments > 0;
     }
     gl->DeleteQueries(1, &query);
-    if (count > renderer->glass->layer_count)
-        renderer->glass->layer_count = count;
+    if (count > renderer->transparent->layer_count)
+        renderer->transparent->layer_count = count;
     return gl_check(gl, "counting transparent layers");
 }
 
 static bool pass_peel_count(Renderer *renderer, FrameCount step)
 {
     if (step == FRAME_COUNT_begin)
-        renderer->glass->layer_count = 0;
+        renderer->transparent->layer_count = 0;
     if (step == FRAME_COUNT_tile)
         return count_layers(renderer);
     return step != FRAME_COUNT_again;
@@ -125,52 +127,53 @@ static bool pass_peel_make(Renderer *renderer)
     const LightingText text = {{render_text_pass_peel}, true, 0, LIGHTING_layers},
                        veil = {{"#define VEIL\n", render_text_pass_peel}, true, 0, LIGHTING_layers};
     if (!make_layer(renderer, 0) || !make_layer(renderer, 1) ||
-        !lighting_make(renderer, &text, &renderer->glass->peel) ||
+        !lighting_make(renderer, &text, &renderer->transparent->peel) ||
         !pass_tools_make_veil(renderer, &veil) ||
-        !transparency_units(renderer, renderer->glass->peel_units) || !number_objects(renderer))
+        !transparency_units(renderer, renderer->transparent->peel_units) ||
+        !number_objects(renderer))
         return false;
-    screen_pass_sampler(&renderer->glass->peel, "peel_keys", LIGHTING_FREE_UNIT);
+    screen_pass_sampler(&renderer->transparent->peel, "peel_keys", LIGHTING_FREE_UNIT);
     if (pass_tools_enabled(renderer))
-        screen_pass_sampler(&renderer->picture->tools.veil, "peel_keys", LIGHTING_FREE_UNIT);
-    transparency_set(renderer, "peel_depth", (float)renderer->glass->peel_units[0]);
-    transparency_set(renderer, "peel_behind", (float)renderer->glass->peel_units[1]);
+        screen_pass_sampler(&renderer->post->tools.veil, "peel_keys", LIGHTING_FREE_UNIT);
+    transparency_set(renderer, "peel_depth", (float)renderer->transparent->peel_units[0]);
+    transparency_set(renderer, "peel_behind", (float)renderer->transparent->peel_units[1]);
     return true;
 }
 
 static void pass_peel_draw(Renderer *renderer)
 {
     begin_layers(renderer);
-    for (int i = 0; i < renderer->glass->layer_count; i++) {
+    for (int i = 0; i < renderer->transparent->layer_count; i++) {
         draw_layer(renderer, i % 2);
         const GLuint keys = frame_texture(renderer, FRAME_TARGET_layer_keys, i % 2);
         lighting_run(renderer,
                      &(LightingSource){FRAME_TARGET_layer, FRAME_TARGET_layer_depth, keys},
-                     &renderer->glass->peel);
+                     &renderer->transparent->peel);
         pass_tools_draw_veil(renderer);
     }
 }
 
 static void pass_peel_delete(Renderer *renderer)
 {
-    frame_retire(renderer, &renderer->glass->peel);
+    frame_retire(renderer, &renderer->transparent->peel);
     for (int i = 0; i < 2; i++)
-        framebuffer_delete(renderer->gl, &renderer->glass->layers[i]);
-    renderer->glass->layer_count = 0;
+        framebuffer_delete(renderer->gl, &renderer->transparent->layers[i]);
+    renderer->transparent->layer_count = 0;
 }
 
 static void pass_peel_place(Renderer *renderer)
 {
-    lighting_place(renderer, &renderer->glass->peel);
+    lighting_place(renderer, &renderer->transparent->peel);
 }
 static bool pass_peel_changed(Renderer *renderer, unsigned what)
 {
-    return lighting_changed(renderer, what, &renderer->glass->peel);
+    return lighting_changed(renderer, what, &renderer->transparent->peel);
 }
 
 static bool pass_peel_moved(Renderer *renderer, int first, int count)
 {
     (void)first, (void)count;
-    lighting_moved(renderer, &renderer->glass->peel);
+    lighting_moved(renderer, &renderer->transparent->peel);
     return true;
 }
 

@@ -135,7 +135,7 @@ static const Option options[] = {
      .help = "coverage (default): pixels that an outline or a crease runs through show both "
              "sides; none"},
     TEXT("--view", view, "=NAME",
-         "shown (default), light, depth, shadow (maps, side by side), positions, voxels, open, "
+         "final (default), light, depth, shadow (maps, side by side), positions, voxels, ao, "
          "indirect, bent, visibility, or a slot; wireframe; volume, volumeWireframe, "
          "wireframes, volumeAlone, volumeWireframeAlone: with shadow volumes"),
     {"--tools", OPTION_set, AT(tools_named),

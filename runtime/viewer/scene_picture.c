@@ -32,7 +32,7 @@ static PictureSpec spec_of(const ScenePictures *p)
     const ScenePictureOptions *o = &p->options;
     const Renderer *renderer = p->renderer;
     const bool exr = o->format == PICTURE_FORMAT_exr;
-    const char *view = o->renderer.view ? o->renderer.view : "shown";
+    const char *view = o->renderer.view ? o->renderer.view : "final";
     const bool color = is_picture(view) || !strcmp(view, "light");
     const int components = o->look ? 3 : renderer_components(renderer);
     return (PictureSpec){.format = o->format,

@@ -22,8 +22,8 @@ typedef struct {
     double off, milliseconds; /* at most */
 } Goal;
 
-static const Goal goals[] = {{"openness, box", "open", .5, 64, .010, 250},
-                             {"openness, bunny", "open", .75, 64, .010, 250},
+static const Goal goals[] = {{"openness, box", "ao", .5, 64, .010, 250},
+                             {"openness, bunny", "ao", .75, 64, .010, 250},
                              {"light, box", "indirect", 4, 40, .03, 500}};
 static const char *const usual[] = {"rays: 8", "method: voxels"};
 
@@ -92,8 +92,7 @@ static void open_march(Row *row)
     row->goal = &goals[0];
     put_scene(row->goals, row->goal, "method: march, rays: 32, steps: 32, filter: none", text);
     row->march_scene = frame_scene(text, &row->options, &row->march_document);
-    row->march =
-        renderer_open(row->gl, &(RendererOptions){.compile = &row->options, .view = "open"});
+    row->march = renderer_open(row->gl, &(RendererOptions){.compile = &row->options, .view = "ao"});
     free(frame_floats_by(row->gl, row->march, row->march_scene));
 }
 

@@ -24,7 +24,7 @@ static bool is_lit(const Scene *scene)
 bool radiance_needed(const Renderer *renderer)
 {
     return indirect_reads_radiance(renderer) && renderer->scene->indirect.bounces > 0 &&
-           !indirect_shows(renderer, "bent") && !indirect_shows(renderer, "open") &&
+           !indirect_shows(renderer, "bent") && !indirect_shows(renderer, "ao") &&
            !indirect_shows(renderer, "visibility") && is_lit(renderer->scene);
 }
 

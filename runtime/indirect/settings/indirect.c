@@ -76,7 +76,7 @@ int indirect_view_components(const char *view)
     static const struct {
         const char *name;
         int components;
-    } views[] = {{"open", 1}, {"indirect", 3}, {"bent", 3}, {"visibility", 3}};
+    } views[] = {{"ao", 1}, {"indirect", 3}, {"bent", 3}, {"visibility", 3}};
     for (size_t i = 0; i < sizeof views / sizeof *views; i++)
         if (!strcmp(view, views[i].name))
             return views[i].components;

@@ -47,13 +47,13 @@ typedef struct {
 
 static const Place places[] = {
     {"openness, box",
-     "open",
+     "ao",
      indirect_scenes_box,
      .5,
      0,
      .5,
      {"rays: 8", "method: voxels", "rays: 16", "rays: 8, filter: atrous"}},
-    {"openness, bunny", "open", NULL, .75, 0, .5, {"rays: 8", "method: voxels", "rays: 16"}},
+    {"openness, bunny", "ao", NULL, .75, 0, .5, {"rays: 8", "method: voxels", "rays: 16"}},
     {"light, box",
      "indirect",
      indirect_scenes_box,

@@ -58,7 +58,7 @@ static bool open_path(GlContext *gl, const char *keys, Path *p)
     p->document = scene_read("scene.yaml", text, strlen(text), &compile, &p->scene);
     if (!p->scene)
         return fputs(matc_diagnostics(p->document, MATC_TEXT), stderr), false;
-    p->render = renderer_open(gl, &(RendererOptions){.compile = &compile, .view = "open"});
+    p->render = renderer_open(gl, &(RendererOptions){.compile = &compile, .view = "ao"});
     return p->render && renderer_set_scene(p->render, p->scene);
 }
 

@@ -19,7 +19,7 @@ static const char truth_keys[] = "rays: 64, samples: 64, filter: none";
 static const struct {
     const char *view, *keys;
     int components;
-} views[] = {{"open", "radius: .5, bounces: 0", 1}, {"indirect", "radius: 4", 3}};
+} views[] = {{"ao", "radius: .5, bounces: 0", 1}, {"indirect", "radius: 4", 3}};
 enum { VIEWS = sizeof views / sizeof *views };
 
 typedef struct {

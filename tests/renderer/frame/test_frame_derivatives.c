@@ -69,11 +69,11 @@ static void renderer_derives_unconditionally(void **state)
         "objects: [{ object: Sphere, material: m }]\n";
     static const struct {
         const char *file, *view, *transparency;
-    } rows[] = {{"glasses.yaml", "shown", "lists"}, {"glasses.yaml", "shown", "peeling"},
-                {"window.yaml", "shown", NULL},     {"window.yaml", "shown", "peeling"},
-                {"landscape.yaml", "shown", NULL},  {"bush.yaml", "shown", NULL},
-                {"vase.yaml", "shown", NULL},       {"solids.yaml", "positions", NULL},
-                {"displaced.yaml", "shown", NULL}};
+    } rows[] = {{"glasses.yaml", "final", "lists"}, {"glasses.yaml", "final", "peeling"},
+                {"window.yaml", "final", NULL},     {"window.yaml", "final", "peeling"},
+                {"landscape.yaml", "final", NULL},  {"bush.yaml", "final", NULL},
+                {"vase.yaml", "final", NULL},       {"solids.yaml", "positions", NULL},
+                {"displaced.yaml", "final", NULL}};
     driver.text = malloc(PROGRAM_CAPACITY);
     assert_non_null(driver.text);
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {

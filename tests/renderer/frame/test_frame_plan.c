@@ -219,21 +219,21 @@ static void rows_of_glass_shadows_and_edges(void **state)
     const unsigned lit = PASSES("surface", "shadow", "light", "lists", "blend");
     const unsigned shown = lit | PASSES("edge", "tone");
     const unsigned peeled = PASSES("surface", "light", "peel", "tone");
-    assert_int_equal(plan_of_frame(shown, FRAME_TARGET_shown).runs, shown);
+    assert_int_equal(plan_of_frame(shown, FRAME_TARGET_final).runs, shown);
     assert_int_equal(plan_of_frame(shown, FRAME_TARGET_light).runs, lit); /* no edge without tone */
     assert_int_equal(plan_of_frame(shown, FRAME_TARGET_gbuffer).runs, PASSES("surface"));
     assert_int_equal(plan_of_frame(shown, FRAME_TARGET_depth).runs, PASSES("surface"));
     const unsigned many = shown | PASSES("light_cluster");
-    assert_int_equal(plan_of_frame(many, FRAME_TARGET_shown).runs, many);
+    assert_int_equal(plan_of_frame(many, FRAME_TARGET_final).runs, many);
     assert_int_equal(plan_of_frame(many, FRAME_TARGET_depth).runs, PASSES("surface"));
-    assert_int_equal(plan_of_frame(shown & ~PASSES("blend"), FRAME_TARGET_shown).runs,
+    assert_int_equal(plan_of_frame(shown & ~PASSES("blend"), FRAME_TARGET_final).runs,
                      shown & ~PASSES("blend", "lists")); /* nobody reads the lists */
-    const FramePlan plan = plan_of_frame(peeled, FRAME_TARGET_shown);
+    const FramePlan plan = plan_of_frame(peeled, FRAME_TARGET_final);
     assert_int_equal(plan.runs, peeled);
     assert_int_equal(plan.memory[FRAME_TARGET_layer][0], plan.memory[FRAME_TARGET_gbuffer][0]);
     assert_true(plan.there >> FRAME_TARGET_layer_keys & 1);
     assert_false(plan.there >> FRAME_TARGET_lists & 1);
-    assert_false(plan_of_frame(shown, FRAME_TARGET_shown).there >> FRAME_TARGET_layer & 1);
+    assert_false(plan_of_frame(shown, FRAME_TARGET_final).there >> FRAME_TARGET_layer & 1);
 }
 
 int main(void)

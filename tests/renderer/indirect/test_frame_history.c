@@ -58,7 +58,7 @@ static float all[4 * PIXELS], some[4 * PIXELS], single[4 * PIXELS];
 static void sets_are_averaged(void **state)
 {
     (void)state;
-    static const char *const views[] = {"open", "indirect"};
+    static const char *const views[] = {"ao", "indirect"};
     for (int i = 0; i < 2; i++) {
         draw_alone("filter: none, samples: 160", views[i], all);
         draw_alone("filter: none, samples: 16", views[i], some);
@@ -81,16 +81,16 @@ static void errors_are_as_stated(void **state)
 {
     (void)state;
     static const double errors[] = {.02, .01};
-    draw_alone("filter: none, samples: 160", "open", all);
+    draw_alone("filter: none, samples: 160", "ao", all);
     for (int i = 0; i < 2; i++) {
         char keys[TEXT / 16];
         int sets = 2;
         snprintf(keys, sizeof keys, "filter: none, samples: 64, error: %g", errors[i]);
-        draw_alone(keys, "open", some);
+        draw_alone(keys, "ao", some);
         const double off = apart(some, all);
         for (; sets < 64; sets *= 2) {
             snprintf(keys, sizeof keys, "filter: none, samples: %d", sets);
-            draw_alone(keys, "open", single);
+            draw_alone(keys, "ao", single);
             if (!memcmp(single, some, sizeof single))
                 break;
         }
@@ -121,7 +121,7 @@ static void paths_are_calmer(void **state)
     double off[3] = {0};
     enum { STEPS = 12, SKIPPED = 4 };
     for (int i = 0; i < 3; i++)
-        open_rig(&rigs[i], keys[i], "open");
+        open_rig(&rigs[i], keys[i], "ao");
     for (int step = 0; step < STEPS; step++)
         for (int i = 0; i < 3; i++) {
             turn(&rigs[i], step);
@@ -148,7 +148,7 @@ static void nothing_is_left_behind_what_moves(void **state)
     double off[3] = {0}, most = 0, bare = 0;
     int count = 0;
     for (int i = 0; i < 3; i++) {
-        open_rig(&rigs[i], keys[i], "open");
+        open_rig(&rigs[i], keys[i], "ao");
         for (int k = 0; k < (i == 2 ? 12 : 1); k++)
             frame_running_draw(&rigs[i]);
     }
@@ -240,7 +240,7 @@ static void what_moves_is_followed(void **state)
     double sums[3][AREAS] = {{0}};
     find_ball(shown);
     for (int i = 0; i < 3; i++)
-        open_rig(&rigs[i], keys[i], "open");
+        open_rig(&rigs[i], keys[i], "ao");
     for (int step = 0; step < STEPS; step++) {
         for (int i = 0; i < 3; i++) {
             roll(&rigs[i], step);
@@ -293,7 +293,7 @@ static void what_slides_over_a_wall_lends_what_is_alike(void **state)
     for (int i = 0; i < 4; i++) {
         snprintf(text, sizeof text, "indirect: { radius: 1, %s }\n%s", keys[i % 3], slide);
         frame_running_open(gl, text,
-                           &(RendererOptions){.view = i < 3 ? "open" : "depth", .deep = true},
+                           &(RendererOptions){.view = i < 3 ? "ao" : "depth", .deep = true},
                            i < 3 ? &rigs[i] : &depth);
     }
     for (int step = 0; step < STEPS; step++) {

@@ -71,7 +71,7 @@ static void planes_are_open(void **state)
                        "material: Phong } "
                        "}\nobjects: [{ object: Group, material: m, objects: [%s] }]\n",
                  cameras[i % 4], methods[i / 8], objects[i / 4 % 2]);
-        float *open = draw(&rig, text, "open");
+        float *open = draw(&rig, text, "ao");
         int kept = 0;
         for (int p = 0; p < PIXELS; p++)
             kept += open[4 * p] != 1;
@@ -153,7 +153,7 @@ static Off corner(Rig *rig, const Corner *c)
              "transform: { rotation: "
              "[0, -1.5707963267948966, 0] } }\n",
              c->keys);
-    float *rgba = draw(rig, text, c->light ? "indirect" : "open");
+    float *rgba = draw(rig, text, c->light ? "indirect" : "ao");
     const Off off = off_by(rig, c, rgba);
     forget(rig, rgba);
     return off;
@@ -303,7 +303,7 @@ static void light_is_their_sum(void **state)
         snprintf(keys, sizeof keys, "indirect: { gain: 2.5, directional: false, dimsDirect: %s }",
                  dims ? "true" : "false");
         float *all = light_of(&rig, keys, AROUND ", " LAMP, "light"),
-              *open = light_of(&rig, keys, AROUND ", " LAMP, "open"),
+              *open = light_of(&rig, keys, AROUND ", " LAMP, "ao"),
               *sent = light_of(&rig, keys, AROUND ", " LAMP, "indirect"),
               *around = light_of(&rig, "", AROUND, "light"), *own = light_of(&rig, "", "", "light"),
               *lamp = light_of(&rig, "", LAMP, "light");
@@ -383,7 +383,7 @@ static void faults_say_why(void **state)
     (void)state;
     static const struct {
         const char *keys, *view, *fault;
-    } cases[] = {{"", "open",
+    } cases[] = {{"", "ao",
                   "there is nothing to see of view 'open': the scene has no `indirect:`, which "
                   "--indirect=METHOD gives it"},
                  {"indirect: { method: none }", "bent",

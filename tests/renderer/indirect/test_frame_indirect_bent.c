@@ -142,7 +142,7 @@ static void bent_normals_are_those_of_rays(void **state)
     Truth *truth = *state;
     GlContext *gl = frame_context();
     const MatcOptions options = frame_exact_options();
-    Renderer *renders[2] = {opened(gl, &options, "open"), opened(gl, &options, "bent")};
+    Renderer *renders[2] = {opened(gl, &options, "ao"), opened(gl, &options, "bent")};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         SceneCamera camera;
         float *open =

@@ -24,8 +24,8 @@ static float *draw(GlContext *gl, const char *keys, const char *objects)
              "-.15] } }\n%s",
              WIDTH, HEIGHT, keys, objects);
     Scene *scene = frame_scene(text, &options, &document);
-    float *open = frame_floats(
-        gl, scene, &(RendererOptions){.compile = &options, .view = "open", .deep = true});
+    float *open = frame_floats(gl, scene,
+                               &(RendererOptions){.compile = &options, .view = "ao", .deep = true});
     frame_forget(scene, document);
     return open;
 }

@@ -52,7 +52,7 @@ static void methods_against_rays(void **state)
                     light ? &options : NULL, truth);
             float *rgba = frame_floats(
                 gl, scene,
-                &(RendererOptions){.compile = &options, .view = light ? "indirect" : "open"});
+                &(RendererOptions){.compile = &options, .view = light ? "indirect" : "ao"});
             const double off = indirect_truth_off(truth, rgba, light);
             print_message("%-48s %s %.4f off, of %d places", methods[i].keys,
                           light ? "light" : "openness", off, truth->count);
@@ -77,7 +77,7 @@ static void bounces_and_samples(void **state)
         int across, bounces;
         double most;
     } cases[] = {{"bounces: 2", "indirect", 20, 2, .07},
-                 {"samples: 8, rotation: random, filter: none, rays: 8", "open", 32, 1, .025}};
+                 {"samples: 8, rotation: random, filter: none, rays: 8", "ao", 32, 1, .025}};
     const MatcOptions options = frame_exact_options();
     GlContext *gl = frame_context();
     IndirectTruth *truth = malloc(sizeof *truth);

@@ -91,8 +91,8 @@ static void coarse_while_it_moves_then_fine(void **state)
              * occlusion; light by few rays is bounded by its noise alone */
             off;
         double exact; /* passes of means over one pixel round */
-    } cases[] = {{"rays: 16, radius: 1", "", "resolution: quarter", "open", false, .05, 0},
-                 {"rays: 16, radius: 1", "", "resolution: half", "open", false, .025, 0},
+    } cases[] = {{"rays: 16, radius: 1", "", "resolution: quarter", "ao", false, .05, 0},
+                 {"rays: 16, radius: 1", "", "resolution: half", "ao", false, .025, 0},
                  {"rays: 16, method: march, bounces: 2", "resolution: half", "resolution: quarter",
                   "indirect", false, 9, 0},
                  {"rays: 8, method: screen, filter: none", "", "resolution: half", "indirect", true,
@@ -109,7 +109,7 @@ static void coarse_while_it_moves_then_fine(void **state)
         FrameRunning rigs[3];
         for (int k = 0; k < 3; k++)
             rigs[k] = open_rig(gl, keys[k], cases[i].view, cases[i].fragment);
-        const int components = strcmp(cases[i].view, "open") ? 3 : 1;
+        const int components = strcmp(cases[i].view, "ao") ? 3 : 1;
         for (int change = -1; change < CHANGES; change++) {
             for (int k = 0; k < 3 && change >= 0; k++)
                 move(&rigs[k], (Change)change);

@@ -165,7 +165,7 @@ static Off off_by(GlContext *gl, const char *text, bool light, OpenRays rays)
     Tracer tracer = reference_open(scene);
     tracer.shares = shares_of;
     float *rgba = frame_floats(
-        gl, scene, &(RendererOptions){.compile = &options, .view = light ? "indirect" : "open"});
+        gl, scene, &(RendererOptions){.compile = &options, .view = light ? "indirect" : "ao"});
     for (int y = APART / 2; y < EDGE; y += APART)
         for (int x = APART / 2; x < EDGE; x += APART) {
             const Ray ray = reference_ray(scene, x + .5, y + .5);

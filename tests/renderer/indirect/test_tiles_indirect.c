@@ -59,12 +59,12 @@ static void tiles_are_as_the_whole(void **state)
     static const struct {
         const char *keys, *view;
         int samples;
-    } cases[] = {{"method: voxels, radius: 1, filterSize: 6", "open", 1},
+    } cases[] = {{"method: voxels, radius: 1, filterSize: 6", "ao", 1},
                  {"method: voxels", "light", 1},
                  {"method: hybrid", "indirect", 1},
-                 {"method: hybrid, resolution: quarter", "open", 1},
-                 {"method: hybrid, resolution: half, filter: atrous", "open", 2},
-                 {"method: march, radius: .2, rotation: random, steps: 12", "open", 1},
+                 {"method: hybrid, resolution: quarter", "ao", 1},
+                 {"method: hybrid, resolution: half, filter: atrous", "ao", 2},
+                 {"method: march, radius: .2, rotation: random, steps: 12", "ao", 1},
                  {"method: screen, radius: .2, rotation: blue", "indirect", 1},
                  {"method: march, march: voxels, radius: .3, filter: atrous", "indirect", 1}};
     const MatcOptions options = frame_exact_options();

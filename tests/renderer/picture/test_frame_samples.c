@@ -112,7 +112,7 @@ static void pixels_are_means(void **state)
             most = fmax(most, fabs(small[k] - mean(large, n, k / 4, k % 4, cases[i].view)));
             light += small[k];
         }
-        print_message("%s, %d x %d: %g\n", cases[i].view ? cases[i].view : "shown", n, n, most);
+        print_message("%s, %d x %d: %g\n", cases[i].view ? cases[i].view : "final", n, n, most);
         assert_true(light > PIXELS / 8 && most < 1e-4);
         free(large);
         free(small);

@@ -97,7 +97,7 @@ static void assert_colorful(GlContext *gl, const char *name, const char *view)
 static void views_have_colors(void **state)
 {
     (void)state;
-    static const char *const views[] = {"depth", "normal", "positions", "light", "open"};
+    static const char *const views[] = {"depth", "normal", "positions", "light", "ao"};
     GlContext *gl = frame_context();
     for (int i = 0; i < SCENES; i++)
         for (size_t k = 0; k < sizeof views / sizeof *views; k++)
@@ -247,7 +247,7 @@ static void compare_block(exr_context_t exr, int top, const Scene *scene, const 
 static void exr_is_raw(void **state)
 {
     (void)state;
-    static const char *const views[] = {"depth", "normal", "light", "open", "diffuse"};
+    static const char *const views[] = {"depth", "normal", "light", "ao", "diffuse"};
     GlContext *gl = frame_context();
     const MatcOptions options = options_of();
     const int file = mkstemp(path);

@@ -244,7 +244,7 @@ static Seams seams_of(GlContext *gl, const char *name)
     Scene *scene = read_file(name, &options, &document);
     Seams seams = {.pixels = scene->width * scene->height};
     for (int view = 0; view < 2; view++) {
-        RendererOptions renderer = {.compile = &options, .view = view ? "shown" : "depth"};
+        RendererOptions renderer = {.compile = &options, .view = view ? "final" : "depth"};
         float *whole = frame_floats(gl, scene, &renderer);
         memcpy(renderer.tile, tiles[0], sizeof renderer.tile);
         float *parts = frame_tiles(gl, scene, &renderer);
