@@ -60,15 +60,33 @@ static Renderer *compose(RendererState *state)
     return renderer;
 }
 
+const char *renderer_view_canonical(const char *view)
+{
+    static const struct {
+        const char *old, *name;
+    } aliases[] = {{"shown", "final"}, {"open", "ao"}};
+    for (size_t i = 0; view && i < sizeof aliases / sizeof *aliases; i++)
+        if (!strcmp(view, aliases[i].old))
+            return aliases[i].name;
+    return view;
+}
+
+static bool is_view(const char *view)
+{
+    return !view || is_target(view) || renderer_find_slot(view) < SLOT_COUNT;
+}
+
 Renderer *renderer_open(GlContext *gl, const RendererOptions *options)
 {
-    if (options->view && !is_target(options->view) &&
-        renderer_find_slot(options->view) == SLOT_COUNT)
+    RendererOptions named = *options;
+    const char *view = named.view = renderer_view_canonical(options->view);
+    options = &named;
+    if (!is_view(view))
         return gl_fail(gl,
                        "there is no view '%s': final, wireframe, volume, light, depth, shadow, "
                        "positions, voxels, ao, "
                        "indirect, bent, visibility, or a slot",
-                       options->view),
+                       view),
                NULL;
     if (!transparency_check(gl, options) || !light_far_check(gl, options))
         return NULL;
@@ -81,7 +99,7 @@ Renderer *renderer_open(GlContext *gl, const RendererOptions *options)
     Renderer *renderer = compose(state);
     renderer->gl = gl;
     renderer->options = *options;
-    renderer->look = look_of(options->view);
+    renderer->look = look_of(view);
     if (renderer->look)
         renderer->options.view = NULL; /* a debug view is a variant of the picture */
     renderer->samples = options->samples ? options->samples : 1;

@@ -13,6 +13,9 @@
 #include "runtime/gl/context.h"
 #include "runtime/scene/scene.h"
 
+/* Returns the present name of a view: versions before 0.2 named "final" "shown" and "ao"
+ * "open". NULL stays NULL, any other name stays as it is. */
+const char *renderer_view_canonical(const char *view);
 /* Reports whether the view is the picture: "final", or a debug view with lines or shadow
  * volumes. */
 bool renderer_view_is_picture(const char *view);

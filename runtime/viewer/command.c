@@ -387,6 +387,7 @@ static const char *check_choices(Command *command)
 
 const char *command_check(Command *command)
 {
+    command->view = renderer_view_canonical(command->view);
     const char *fault = check_endings(command);
     if (!fault)
         fault = check_choices(command);

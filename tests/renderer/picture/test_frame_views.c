@@ -279,12 +279,31 @@ static void exr_is_raw(void **state)
     gl_close(gl);
 }
 
+static void old_names_of_views_are_aliases(void **state)
+{
+    (void)state;
+    assert_string_equal(renderer_view_canonical("shown"), "final");
+    assert_string_equal(renderer_view_canonical("open"), "ao");
+    assert_string_equal(renderer_view_canonical("depth"), "depth");
+    assert_null(renderer_view_canonical(NULL));
+    const MatcOptions options = options_of();
+    GlContext *gl = frame_context();
+    static const char *const views[] = {"shown", "open"};
+    for (size_t i = 0; i < sizeof views / sizeof *views; i++) {
+        Renderer *renderer =
+            renderer_open(gl, &(RendererOptions){.compile = &options, .view = views[i]});
+        assert_non_null(renderer);
+        renderer_close(renderer);
+    }
+    gl_close(gl);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(views_have_colors),    cmocka_unit_test(slots_that_vary_have_colors),
-        cmocka_unit_test(depth_is_its_formula), cmocka_unit_test(normals_below_zero_are_shown),
-        cmocka_unit_test(exr_is_raw),
+        cmocka_unit_test(old_names_of_views_are_aliases), cmocka_unit_test(views_have_colors),
+        cmocka_unit_test(slots_that_vary_have_colors),    cmocka_unit_test(depth_is_its_formula),
+        cmocka_unit_test(normals_below_zero_are_shown),   cmocka_unit_test(exr_is_raw),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
