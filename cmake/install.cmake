@@ -29,7 +29,7 @@ install(FILES runtime/surface/surface_phong.glsl runtime/surface/surface_microfa
 
 configure_package_config_file(cmake/matcConfig.cmake.in ${PROJECT_BINARY_DIR}/package/matcConfig.cmake
   INSTALL_DESTINATION ${package} PATH_VARS MATC_SCHEMA MATC_SURFACE)
-write_basic_package_version_file(${PROJECT_BINARY_DIR}/package/matcConfigVersion.cmake COMPATIBILITY SameMajorVersion)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/package/matcConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/package/matcConfig.cmake ${PROJECT_BINARY_DIR}/package/matcConfigVersion.cmake
   cmake/materials.cmake cmake/dependencies.cmake DESTINATION ${package})
 

@@ -21,7 +21,7 @@ if("static" IN_LIST MATC_KINDS)
 endif()
 if("shared" IN_LIST MATC_KINDS)
   add_library(matc_shared SHARED $<TARGET_OBJECTS:matc_objects>)
-  set_target_properties(matc_shared PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}
+  set_target_properties(matc_shared PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
     LINK_DEPENDS ${PROJECT_SOURCE_DIR}/cmake/matc.map)
   target_link_options(matc_shared PRIVATE LINKER:--version-script=${PROJECT_SOURCE_DIR}/cmake/matc.map LINKER:--as-needed)
 endif()

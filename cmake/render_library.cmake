@@ -5,7 +5,7 @@ set_target_properties(matc_gl matc_texts matc_scene matc_render PROPERTIES POSIT
 target_include_directories(matc_render PRIVATE ${MATC_PUBLIC})
 add_library(matc_render_shared SHARED runtime/renderer/matc_render.c runtime/renderer/matc_scene.c $<TARGET_OBJECTS:matc_objects>)
 set_target_properties(matc_render_shared PROPERTIES OUTPUT_NAME matc_render EXPORT_NAME render LINKER_LANGUAGE C
-  C_VISIBILITY_PRESET hidden VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}
+  C_VISIBILITY_PRESET hidden VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
   LINK_DEPENDS ${PROJECT_SOURCE_DIR}/cmake/matc.map)
 target_link_options(matc_render_shared PRIVATE LINKER:--version-script=${PROJECT_SOURCE_DIR}/cmake/matc.map LINKER:--as-needed)
 target_link_libraries(matc_render_shared PRIVATE matc_render matc::private)

@@ -41,7 +41,7 @@ extern "C" {
 #define MATC_API
 #endif
 
-#define MATC_VERSION "0.1.0"
+#define MATC_VERSION "0.2.0"
 /* Returns the version of the loaded library, which may differ from this header's. */
 MATC_API const char *matc_version(void);
 

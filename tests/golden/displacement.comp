@@ -1,5 +1,5 @@
 #version 450 core
-// matc 0.1.0: compute program that displaces vertices
+// matc 0.2.0: compute program that displaces vertices
 
 layout(local_size_x = 64) in;
 layout(std140, binding = 83) uniform Vertices {

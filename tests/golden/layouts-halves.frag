@@ -1,5 +1,5 @@
 #version 330 core
-// matc 0.1.0: pass gbuffer, layout halves
+// matc 0.2.0: pass gbuffer, layout halves
 
 in vec3 eyeNormal;
 layout(location = 0) out vec4 fragment0;

@@ -1,4 +1,4 @@
-// matc 0.1.0: reads layout lambert back. The normal is in eye space.
+// matc 0.2.0: reads layout lambert back. The normal is in eye space.
 
 uniform usampler2D matc_gbuffer0;
 

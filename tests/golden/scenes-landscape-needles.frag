@@ -1,5 +1,5 @@
 #version 330 core
-// matc 0.1.0: pass gbuffer, layout compact
+// matc 0.2.0: pass gbuffer, layout compact
 
 in vec3 eyeNormal;
 layout(location = 0) out uvec4 fragment0;

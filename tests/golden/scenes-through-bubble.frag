@@ -1,5 +1,5 @@
 #version 330 core
-// matc 0.1.0: pass gbuffer, layout compact
+// matc 0.2.0: pass gbuffer, layout compact
 
 in vec2 uv;
 in vec3 eyeNormal;

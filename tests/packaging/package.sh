@@ -29,7 +29,7 @@ compile() { # compile PROGRAM FLAGS...
     ${CC:-cc} "$source/examples/embed.c" "$@" -o "$work/$program"
 }
 runs() { "$work/$1" | grep -q '^// uniform tint: 3 lanes'; }
-uses_library() { ldd "$work/$1" | grep -q "libmatc.so.0"; }
+uses_library() { ldd "$work/$1" | grep -q "libmatc.so.0.2"; }
 # shellcheck disable=SC2046
 check "compiles with the shared library" compile shared $(pkg-config --cflags --libs matc) "-Wl,-rpath,$libdir"
 check "which it uses" uses_library shared
@@ -46,7 +46,7 @@ mkdir "$work/kinds"
 cat >"$work/kinds/CMakeLists.txt" <<EOF
 cmake_minimum_required(VERSION 3.22)
 project(kinds LANGUAGES C)
-find_package(matc 0.1 REQUIRED \${KIND})
+find_package(matc 0.2 REQUIRED \${KIND})
 add_executable(\${NAME} $source/examples/embed.c)
 target_link_libraries(\${NAME} PRIVATE matc::matc)
 set_target_properties(\${NAME} PROPERTIES RUNTIME_OUTPUT_DIRECTORY $work)

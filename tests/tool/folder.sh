@@ -30,14 +30,14 @@ foreign() { # a manifest's text
     check "removes nothing" test -s "$work/precious.frag" -a -s "$work/foreign/sub/x.frag" -a -s "$work/foreign/plain" -a -d "$work/foreign/sub"
 }
 for name in ../precious.frag "$work/precious.frag" sub/x.frag ./../precious.frag plain sub .. . ''; do
-    foreign '{"matc": "0.1.0", "files": {"'"$name"'": "'"$hash"'"}}'
+    foreign '{"matc": "0.2.0", "files": {"'"$name"'": "'"$hash"'"}}'
 done
 foreign 'not JSON {'
 foreign '[[[[]]]]'
 foreign '{"matc": 1, "files": ["plain"]}'
-foreign '{"matc": "0.1.0", "programs": {"fragment": 3}, "files": {"plain": 3, "sub": {}}}'
+foreign '{"matc": "0.2.0", "programs": {"fragment": 3}, "files": {"plain": 3, "sub": {}}}'
 foreign ''
-foreign '{"matc": "0.1.0", "files": {"checker.frag": "'"$hash"'"}}'
+foreign '{"matc": "0.2.0", "files": {"checker.frag": "'"$hash"'"}}'
 check "nor what is made again" test -s "$work/foreign/checker.frag"
 
 # A name alone proves nothing: what goes has the bytes that a run wrote
