@@ -11,7 +11,8 @@ void affineAdd(vec3 term, inout vec3 whole, inout vec3 digits, inout vec3 below)
     below += (digit - cut) * (1.0 / 4096.0);
 }
 
-void affineColumn(vec3 a, vec3 b, vec3 c, float x, inout vec3 whole, inout vec3 digits, inout vec3 below) {
+void affineColumn(vec3 a, vec3 b, vec3 c, float x, inout vec3 whole, inout vec3 digits,
+    inout vec3 below) {
     float high = splitHigh(vec3(x)).x;
     float low = x - high;
     affineAdd(a * high, whole, digits, below);
@@ -21,7 +22,8 @@ void affineColumn(vec3 a, vec3 b, vec3 c, float x, inout vec3 whole, inout vec3 
     below += c * x;
 }
 
-void affineSum(vec3 root, vec3 a0, vec3 b0, vec3 c0, vec3 a1, vec3 b1, vec3 c1, vec3 a2, vec3 b2, vec3 c2,
+void affineSum(vec3 root, vec3 a0, vec3 b0, vec3 c0, vec3 a1, vec3 b1, vec3 c1, vec3 a2, vec3 b2,
+    vec3 c2,
                vec3 a3, vec3 b3, vec3 c3, out vec3 whole, out vec3 fraction) {
     vec3 digits = vec3(0.0);
     vec3 below = c3;

@@ -13,14 +13,16 @@ void cellsSearch2Visit(vec2 away, int metric, inout vec3 first, inout vec3 secon
     }
 }
 
-void cellsSearch2(vec2 cell, vec2 d, float jitter, int metric, int count, out vec3 first, out vec3 second) {
+void cellsSearch2(vec2 cell, vec2 d, float jitter, int metric, int count, out vec3 first,
+    out vec3 second) {
     vec2 corner = 0.5 - 0.5 * jitter - d;
     first = vec3(0.0, 0.0, 64.0);
     second = first;
     for (int y = -1; y <= 1; y++)
         for (int x = -1; x <= 1; x++) {
             vec2 offset = vec2(float(x), float(y));
-            cellsSearch2Visit(offset + corner + jitter * cellsPlace2(cell, offset), metric, first, second);
+            cellsSearch2Visit(offset + corner + jitter * cellsPlace2(cell, offset), metric, first,
+                second);
         }
     vec2 side = abs(d - 0.5);
     float least = 2.0 - max(side.x, side.y) - 0.5 * jitter;
@@ -31,6 +33,7 @@ void cellsSearch2(vec2 cell, vec2 d, float jitter, int metric, int count, out ve
             vec2 nearest = max(abs(offset + 0.5 - d) - 0.5 * jitter, 0.0);
             bool inner = max(abs(offset.x), abs(offset.y)) < 1.5;
             if (inner || cellsFar2(nearest, metric) >= (count == 1 ? first.z : second.z)) continue;
-            cellsSearch2Visit(offset + corner + jitter * cellsPlace2(cell, offset), metric, first, second);
+            cellsSearch2Visit(offset + corner + jitter * cellsPlace2(cell, offset), metric, first,
+                second);
         }
 }

@@ -14,7 +14,8 @@ void cellsSearch3Visit(vec3 away, int metric, inout vec4 first, inout vec4 secon
     }
 }
 
-void cellsSearch3(vec3 cell, vec3 d, float jitter, int metric, int count, out vec4 first, out vec4 second) {
+void cellsSearch3(vec3 cell, vec3 d, float jitter, int metric, int count, out vec4 first,
+    out vec4 second) {
     vec3 corner = 0.5 - 0.5 * jitter - d;
     first = vec4(0.0, 0.0, 0.0, 64.0);
     second = first;
@@ -22,7 +23,8 @@ void cellsSearch3(vec3 cell, vec3 d, float jitter, int metric, int count, out ve
         for (int y = -1; y <= 1; y++)
             for (int x = -1; x <= 1; x++) {
                 vec3 offset = vec3(float(x), float(y), float(z));
-                cellsSearch3Visit(offset + corner + jitter * cellsPlace3(cell, offset), metric, first, second);
+                cellsSearch3Visit(offset + corner + jitter * cellsPlace3(cell, offset), metric,
+                    first, second);
             }
     vec3 side = abs(d - 0.5);
     float gap = -max(side.x, max(side.y, side.z)) - 0.5 * jitter;
@@ -34,9 +36,12 @@ void cellsSearch3(vec3 cell, vec3 d, float jitter, int metric, int count, out ve
                 for (int x = -ring; x <= ring; x++) {
                     vec3 offset = vec3(float(x), float(y), float(z));
                     vec3 nearest = max(abs(offset + 0.5 - d) - 0.5 * jitter, 0.0);
-                    bool inner = max(abs(offset.x), max(abs(offset.y), abs(offset.z))) < float(ring) - 0.5;
-                    if (inner || cellsFar3(nearest, metric) >= (count == 1 ? first.w : second.w)) continue;
-                    cellsSearch3Visit(offset + corner + jitter * cellsPlace3(cell, offset), metric, first, second);
+                    bool inner = max(abs(offset.x), max(abs(offset.y), abs(offset.z))) <
+                        float(ring) - 0.5;
+                    if (inner || cellsFar3(nearest, metric) >= (count == 1 ? first.w : second.w))
+                        continue;
+                    cellsSearch3Visit(offset + corner + jitter * cellsPlace3(cell, offset), metric,
+                        first, second);
                 }
     }
 }

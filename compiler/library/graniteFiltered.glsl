@@ -8,7 +8,8 @@ float graniteFiltered(vec3 p, vec3 rest, float width) {
     for (int k = 0; k < 6; k++) {
         float share = magnitudeShare(frequency * width);
         if (share <= 0.0) break;
-        sum += strength * share * (abs(noiseLong(frequency * p, frequency * rest)) - noiseMagnitude);
+        sum += strength * share * (abs(noiseLong(frequency * p, frequency * rest)) -
+            noiseMagnitude);
         strength *= 0.5;
         frequency *= 2.0;
     }

@@ -9,7 +9,8 @@ float graniteVariance(float width) {
         float loss = magnitudeLoss(width);
         float share = 1.0 - loss;
         float slope = min(width, 64.0) * noiseGrain;
-        sum += strength * max(loss * (1.0 + share) - share * share * slope * slope * (14.6 / 12.0), 0.0);
+        sum += strength * max(loss * (1.0 + share) - share * share * slope * slope * (14.6 / 12.0),
+            0.0);
         strength *= 0.25;
         width *= 2.0;
     }

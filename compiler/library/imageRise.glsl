@@ -2,7 +2,8 @@
 // Finite difference of imageBilinear(s, uv, size)[lane] over one texel along u and v, per unit of
 // uv. Reads eight texels instead of twelve. Error 6e-7 * size.
 vec3 imageRiseRow(sampler2D s, vec3 x, float y, vec2 size, int lane) {
-    return vec3(texel(s, vec2(x.x, y), size)[lane], texel(s, vec2(x.y, y), size)[lane], texel(s, vec2(x.z, y), size)[lane]);
+    return vec3(texel(s, vec2(x.x, y), size)[lane], texel(s, vec2(x.y, y), size)[lane],
+        texel(s, vec2(x.z, y), size)[lane]);
 }
 
 vec2 imageRise(sampler2D s, vec2 uv, vec2 size, int lane) {

@@ -2,7 +2,8 @@
 // imageRiseOver for a sampler that mirrors (address 1), clamps (2), or has a zero border (3). Error
 // 6e-7 size.
 vec3 imageRiseBeyondRow(sampler2D s, vec3 x, float y, vec2 size, int lane, int address) {
-    return vec3(texelBeyond(s, vec2(x.x, y), size, address)[lane], texelBeyond(s, vec2(x.y, y), size, address)[lane],
+    return vec3(texelBeyond(s, vec2(x.x, y), size, address)[lane],
+        texelBeyond(s, vec2(x.y, y), size, address)[lane],
                 texelBeyond(s, vec2(x.z, y), size, address)[lane]);
 }
 
@@ -14,6 +15,7 @@ vec2 imageRiseBeyond(sampler2D s, vec2 uv, vec2 size, int lane, int address, vec
     vec2 at = turn * size;
     vec2 low = floor(at);
     vec3 x = low.x + vec3(0.0, 1.0, 2.0);
-    return texelsRise(imageRiseBeyondRow(s, x, low.y, size, lane, address), imageRiseBeyondRow(s, x, low.y + 1.0, size, lane, address),
+    return texelsRise(imageRiseBeyondRow(s, x, low.y, size, lane, address),
+        imageRiseBeyondRow(s, x, low.y + 1.0, size, lane, address),
                       imageRiseBeyondRow(s, x, low.y + 2.0, size, lane, address), at - low) * size;
 }

@@ -47,12 +47,14 @@ float jenkinsEnd(vec2 a, vec2 b, vec2 c) {
 
 vec2 jenkinsBegin(float number, float more) {
     float high = floor(number / 65536.0);
-    return jenkinsSum(vec2(high, number - 65536.0 * high), vec2(57005.0, 48879.0 + 13.0 + more), 1.0);
+    return jenkinsSum(vec2(high, number - 65536.0 * high), vec2(57005.0, 48879.0 + 13.0 + more),
+        1.0);
 }
 
 float jenkins(vec3 cell, int count) {
     float more = 4.0 * float(count);
-    return jenkinsEnd(jenkinsBegin(cell.x, more), jenkinsBegin(cell.y, more), jenkinsBegin(cell.z, more));
+    return jenkinsEnd(jenkinsBegin(cell.x, more), jenkinsBegin(cell.y, more),
+        jenkinsBegin(cell.z, more));
 }
 
 vec3 jenkinsPlaces(vec3 cell, int dimensions) {
@@ -73,5 +75,6 @@ vec3 jenkinsPlaces(vec3 cell, int dimensions) {
     a = jenkinsSum(a, c, 1.0);
     c = jenkinsEither(jenkinsSum(c, b, -1.0), jenkinsTurned(b, 16.0));
     b = jenkinsSum(b, a, 1.0);
-    return vec3(jenkinsEnd(a, b, c), jenkinsEnd(jenkinsSum(a, vec2(0.0, 1.0), 1.0), b, c), jenkinsEnd(jenkinsSum(a, vec2(0.0, 2.0), 1.0), b, c));
+    return vec3(jenkinsEnd(a, b, c), jenkinsEnd(jenkinsSum(a, vec2(0.0, 1.0), 1.0), b, c),
+        jenkinsEnd(jenkinsSum(a, vec2(0.0, 2.0), 1.0), b, c));
 }

@@ -10,6 +10,7 @@ vec4 latticeSlope(vec3 cell, vec3 d) {
     simplexNumbers(hash, gx, gy, gz);
     vec4 term = gx * dx + gy * dy + gz * dz;
     vec4 fall = -8.0 * t * t * t * term;
-    return 71.0 * latticeScale * vec4(dot(kernel, gx) + dot(fall, dx), dot(kernel, gy) + dot(fall, dy),
+    return 71.0 * latticeScale * vec4(dot(kernel, gx) + dot(fall, dx),
+        dot(kernel, gy) + dot(fall, dy),
                                       dot(kernel, gz) + dot(fall, dz), dot(kernel, term));
 }

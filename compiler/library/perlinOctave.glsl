@@ -12,7 +12,8 @@ float perlinOctave(vec3 p, int dimensions) {
         if (i > 3 && dimensions < 3) break;
         vec3 corner = vec3(i == 1 || i == 3 || i == 5 || i == 7, i == 2 || i == 3 || i > 5, i > 3);
         vec3 share = mix(1.0 - far, far, corner);
-        sum += share.x * share.y * share.z * dot(perlinDirection(cell + corner, dimensions), d - corner);
+        sum += share.x * share.y * share.z * dot(perlinDirection(cell + corner, dimensions),
+            d - corner);
     }
     return sum;
 }

@@ -14,7 +14,8 @@ vec4 perlinOctaveGradient(vec3 p, int dimensions) {
         vec3 change = rate * (2.0 * corner - 1.0);
         vec3 direction = perlinDirection(cell + corner, dimensions);
         float value = dot(direction, d - corner);
-        sum += vec4(share.x * share.y * share.z * direction + value * change * share.yzx * share.zxy, share.x * share.y * share.z * value);
+        sum += vec4(share.x * share.y * share.z * direction +
+            value * change * share.yzx * share.zxy, share.x * share.y * share.z * value);
     }
     return sum;
 }

@@ -19,7 +19,8 @@ void simplexCorners(vec3 cell, vec3 d, out vec4 hash, out vec4 dx, out vec4 dy, 
     vec3 c0 = latticeAxis(first).xyz;
     vec3 c1 = latticeAxis((first + 1.0) * (1.0 - step(65535.5, first + 1.0))).xyz;
     vec4 h = vec4(c0.x, mix(c0.x, c1.x, second.x), mix(c0.x, c1.x, third.x), c1.x);
-    h = latticePermute(h + 17.0) + vec4(c0.y, mix(c0.y, c1.y, second.y), mix(c0.y, c1.y, third.y), c1.y);
+    h = latticePermute(h + 17.0) +
+        vec4(c0.y, mix(c0.y, c1.y, second.y), mix(c0.y, c1.y, third.y), c1.y);
     h = latticePermute(h) + vec4(c0.z, mix(c0.z, c1.z, second.z), mix(c0.z, c1.z, third.z), c1.z);
     hash = latticePermute(h);
     dx = x.x + vec4(0.0, 1.0 / 6.0 - second.x, 1.0 / 3.0 - third.x, -0.5);

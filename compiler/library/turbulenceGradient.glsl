@@ -1,7 +1,8 @@
 // needs: noiseSlope noiseStatistics octaveMean octaveShare
 // Gradient by p (xyz) and value (w) of turbulenceFiltered(p, rest, ...). Error 5e-6 times the sum
 // of noiseRatio^k frequencyRatio^k.
-vec4 turbulenceGradient(vec3 p, vec3 rest, int octaves, float frequencyRatio, float noiseRatio, float width) {
+vec4 turbulenceGradient(vec3 p, vec3 rest, int octaves, float frequencyRatio, float noiseRatio,
+    float width) {
     int count = octaves > 1 ? octaves : 1;
     float strength = 1.0;
     float frequency = 1.0;

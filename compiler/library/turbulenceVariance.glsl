@@ -10,7 +10,8 @@ float turbulenceVariance(int octaves, float frequencyRatio, float noiseRatio, fl
         float loss = octaveLoss(width);
         float share = 1.0 - loss;
         float slope = min(width, 64.0) * noiseGrain;
-        sum += strength * max(loss * (1.0 + share) - share * share * slope * slope * (4.73 / 12.0), 0.0);
+        sum += strength * max(loss * (1.0 + share) - share * share * slope * slope * (4.73 / 12.0),
+            0.0);
         strength *= noiseRatio * noiseRatio;
         width = min(width * abs(frequencyRatio), 1.0e18);
     }

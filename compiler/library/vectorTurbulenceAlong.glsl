@@ -1,7 +1,8 @@
 // needs: latticeCell octaveShare vectorNoiseAlong
 // Derivative of vectorTurbulenceFiltered(p, rest, ...) along a direction. Error of
 // turbulenceGradient, times |direction|.
-vec3 vectorTurbulenceAlong(vec3 p, vec3 rest, int octaves, float frequencyRatio, float noiseRatio, float width,
+vec3 vectorTurbulenceAlong(vec3 p, vec3 rest, int octaves, float frequencyRatio, float noiseRatio,
+    float width,
                            vec3 direction) {
     int count = octaves > 1 ? octaves : 1;
     float strength = 1.0;

@@ -1,7 +1,8 @@
 // needs: latticeCell noiseStatistics octaveMean octaveShare vectorNoise
 // vectorTurbulence(p + rest, ...), filtered over a square of edge `width`: octaves fade to their
 // mean, half of noise's per component, and are skipped once faded. Error of turbulence.
-vec3 vectorTurbulenceFiltered(vec3 p, vec3 rest, int octaves, float frequencyRatio, float noiseRatio, float width) {
+vec3 vectorTurbulenceFiltered(vec3 p, vec3 rest, int octaves, float frequencyRatio,
+    float noiseRatio, float width) {
     int count = octaves > 1 ? octaves : 1;
     float strength = 1.0;
     vec3 sum = vec3(0.5 * octaveMean(count, noiseRatio));

@@ -15,7 +15,8 @@ void worleySearch(vec3 p, float jitter, int dimensions, out vec3 away, out vec3 
         float rows = floor((float(i) + 0.5) / 3.0);
         float plane = floor((float(i) + 0.5) / 9.0);
         vec3 beside = (vec3(float(i) - 3.0 * rows, rows - 3.0 * plane, plane) - 1.0) * axes;
-        vec3 far = d - beside - ((jenkinsPlaces(cell + beside, dimensions) - 0.5) * jitter + 0.5) * axes;
+        vec3 far = d - beside - ((jenkinsPlaces(cell + beside, dimensions) - 0.5) * jitter + 0.5) *
+            axes;
         float square = dot(far, far);
         if (square < least) {
             least = square;

@@ -49,7 +49,8 @@ ivec3 displaceFitted(ivec3 w, uint drawn, int all)
 // order.
 vec4 displaceMixed(uvec3 rows, vec3 w, uint part)
 {
-    precise vec4 sum = displace_rows[4u * rows.x + part] * w.x + displace_rows[4u * rows.y + part] * w.y
+    precise vec4 sum = displace_rows[4u * rows.x + part] * w.x +
+        displace_rows[4u * rows.y + part] * w.y
                      + displace_rows[4u * rows.z + part] * w.z;
     return sum;
 }
@@ -57,7 +58,8 @@ vec4 displaceMixed(uvec3 rows, vec3 w, uint part)
 uvec3 displaceCorners(uint patchNumber)
 {
     uint first = 12u * patchNumber;
-    return uvec3(displace_patches[first], displace_patches[first + 1u], displace_patches[first + 2u]);
+    return uvec3(displace_patches[first], displace_patches[first + 1u],
+        displace_patches[first + 2u]);
 }
 
 #ifdef DISPLACE_POINT
@@ -125,7 +127,8 @@ void displaceAt(uint patchNumber, vec3 w, bool lower)
     displaced_tangentU = displaceMixed(own, w, 2u).xyz;
     displaced_tangentV = displaceMixed(own, w, 3u).xyz;
     precise vec3 from = (matc_worldFromLocal * vec4(position.xyz, 1.0)).xyz;
-    precise vec3 to = matc_displaced(position.xyz, up.xyz, vec2(along.w, up.w), displaceMixed(moving, w, 2u).xyz,
+    precise vec3 to = matc_displaced(position.xyz, up.xyz, vec2(along.w, up.w),
+        displaceMixed(moving, w, 2u).xyz,
                                      displaceMixed(moving, w, 3u).xyz);
     vec3 away = matc_worldNormalFromLocal * up.xyz;
     if (lower)
@@ -151,7 +154,8 @@ vec3 displaceOver(uint patchNumber, vec3 w, int height, out bool there)
     uvec3 own = displaceCorners(patchNumber), moving = displaceMoving(12u * patchNumber, own, w);
     vec3 position = displaceMixed(own, w, 0u).xyz;
     vec4 along = displaceMixed(moving, w, 0u), up = displaceMixed(moving, w, 1u);
-    vec4 solid = matc_solid(position, up.xyz, vec2(along.w, up.w), displaceMixed(moving, w, 2u).xyz, displaceMixed(moving, w, 3u).xyz);
+    vec4 solid = matc_solid(position, up.xyz, vec2(along.w, up.w), displaceMixed(moving, w, 2u).xyz,
+        displaceMixed(moving, w, 3u).xyz);
     vec3 away = matc_worldNormalFromLocal * up.xyz;
     there = height < 2 ? solid.x < solid.y : solid.z < solid.w;
     return position + displace_localFromWorld * (away * (solid[height] / max(length(away), 1e-30)));
@@ -165,9 +169,12 @@ bool displaceHeight(uint patchNumber, vec3 w, int height, float step)
     bool there, beside;
     displacePoint(patchNumber, w);
     displaced_position = displaceOver(patchNumber, w, height, there);
-    vec3 across = cross(displaceOver(patchNumber, w + step * vec3(-1, 0.5, 0.5), height, beside) - displaced_position,
-                        displaceOver(patchNumber, w + step * vec3(0.25, -1, 0.75), height, beside) - displaced_position);
-    float side = (dot(across, displaced_normal) < 0.0 ? -1.0 : 1.0) * (height % 2 == 0 ? -1.0 : 1.0);
+    vec3 across = cross(displaceOver(patchNumber, w + step * vec3(-1, 0.5, 0.5), height, beside) -
+        displaced_position,
+                        displaceOver(patchNumber, w + step * vec3(0.25, -1, 0.75), height, beside) -
+                            displaced_position);
+    float side = (dot(across, displaced_normal) < 0.0 ? -1.0 : 1.0) *
+        (height % 2 == 0 ? -1.0 : 1.0);
     if (length(across) > 0.0)
         displaced_normal = side * across / length(across);
     return there;

@@ -74,16 +74,19 @@ bool exactOff(vec3 point, vec3 a, vec3 b, vec3 c)
     vec3 normal = cross(b - a, c - a), size = abs(normal);
     normal /= max(max(max(size.x, size.y), size.z), 1e-37);
     vec3 way = abs(point);
-    float off = dot(normal, a - point), least = EXACT_OFF * max(exact_eye.w, max(max(way.x, way.y), way.z));
+    float off = dot(normal, a - point),
+        least = EXACT_OFF * max(exact_eye.w, max(max(way.x, way.y), way.z));
     return off * off > least * least * dot(normal, normal);
 }
 
 bool exactMeets(ExactRay ray, uint triangle, bool endless)
 {
-    vec3 a = exactCorner(triangle, 0u), b = exactCorner(triangle, 1u), c = exactCorner(triangle, 2u);
+    vec3 a = exactCorner(triangle, 0u), b = exactCorner(triangle, 1u),
+        c = exactCorner(triangle, 2u);
     vec3 seen[3] = vec3[3](exactSeen(ray, a), exactSeen(ray, b), exactSeen(ray, c));
     vec3 areas = exactAreas(seen[0], seen[1], seen[2]);
-    if (min(min(areas.x, areas.y), areas.z) < 0.0 && max(max(areas.x, areas.y), areas.z) > 0.0) return false;
+    if (min(min(areas.x, areas.y), areas.z) < 0.0 && max(max(areas.x, areas.y), areas.z) > 0.0)
+        return false;
     float area = areas.x + areas.y + areas.z;
     if (area == 0.0) return false; // edge-on
     float along = dot(areas, vec3(seen[0].z, seen[1].z, seen[2].z)) / area;
@@ -124,26 +127,34 @@ vec3 exactShare(int light, vec3 point)
             row[i][component] = uintBitsToFloat(exact_words[head + uint(4 * i + component)]);
     bool placed = row[0].w > 0.0;
     vec4 from = vec4(placed ? point - row[0].xyz : point, 1.0);
-    int cell = exactCell(vec3(dot(row[1], from), dot(row[2], from), dot(row[3], from)), int(exact_words[head + EXACT_VIEWS]),
+    int cell = exactCell(vec3(dot(row[1], from), dot(row[2], from), dot(row[3], from)),
+        int(exact_words[head + EXACT_VIEWS]),
                          int(exact_words[head + EXACT_SIZE]), placed);
     if (cell < 0) return vec3(1.0);
     uint list = exact_words[head + EXACT_CELLS] + 2u * uint(cell);
     ExactRay ray = exactRay(point, placed ? -from.xyz : row[0].xyz);
     vec3 share = vec3(1.0);
-    for (uint i = exact_words[list], end = exact_words[list + 1u]; i < end && share != vec3(0.0); i++)
+    for (uint i = exact_words[list], end = exact_words[list + 1u]; i < end && share != vec3(0.0);
+        i++)
         if (exactMeets(ray, exact_words[i], !placed)) share *= exactThrough(exact_words[i]);
     return share;
 }
 
 // Transforms a direction from eye space to world space.
-vec3 exactDirection(vec3 eye) { return eye.x * exact_right.xyz + eye.y * exact_up.xyz + eye.z * exact_back.xyz; }
+vec3 exactDirection(vec3 eye)
+{
+    return eye.x * exact_right.xyz + eye.y * exact_up.xyz + eye.z * exact_back.xyz;
+}
 
 #ifdef EXACT_SEEN
 vec3 exactPoint(vec3 point, vec3 normal, float pixel); // defined in exact_seen.glsl
 #else
 // Returns a transparent surface's point, reconstructed from depth, and lifted to the light's side
 // by the possible error.
-vec3 exactPoint(vec3 point, vec3 normal, float pixel) { return exact_eye.xyz + exactDirection(point + normal * (pixel / 64.0)); }
+vec3 exactPoint(vec3 point, vec3 normal, float pixel)
+{
+    return exact_eye.xyz + exactDirection(point + normal * (pixel / 64.0));
+}
 #endif
 
 // Returns the share of a light that arrives (entry point, called by shadow_text.c's functions).

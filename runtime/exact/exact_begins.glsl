@@ -34,13 +34,16 @@ uint sumUpTo(uint thread, uint own)
 void main()
 {
     uint thread = gl_LocalInvocationIndex, first = exact_words[EXACT_CELLS];
-    for (uint group = gl_WorkGroupID.x * 256u; group < exact_cells; group += gl_NumWorkGroups.x * 256u) {
-        uint at = first + 2u * (group + thread), own = group + thread < exact_cells ? exact_words[at + 1u] : 0u;
+    for (uint group = gl_WorkGroupID.x * 256u; group < exact_cells;
+        group += gl_NumWorkGroups.x * 256u) {
+        uint at = first + 2u * (group + thread), own = group + thread < exact_cells
+            ? exact_words[at + 1u] : 0u;
         uint sum = sumUpTo(thread, own);
         if (thread == 255u) group_begin = atomicAdd(exact_next, sum);
         if (own > exact_longest) atomicMax(exact_longest, own);
         barrier();
-        if (group + thread < exact_cells) exact_words[at] = exact_words[at + 1u] = group_begin + sum - own;
+        if (group + thread < exact_cells)
+            exact_words[at] = exact_words[at + 1u] = group_begin + sum - own;
         barrier();
     }
 }

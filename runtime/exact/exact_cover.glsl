@@ -83,14 +83,17 @@ struct Microfacet {
 // Returns a corner in the light's coordinates.
 dvec3 placeOf(View view, uint triangle, uint corner)
 {
-    dvec3 from = dvec3(exact_corners[triangle * 3u + corner].xyz) - (view.placed ? view.from : dvec3(0.0lf));
-    return dvec3(dot(view.rows[0].xyz, from) + view.rows[0].w, dot(view.rows[1].xyz, from) + view.rows[1].w,
+    dvec3 from = dvec3(exact_corners[triangle * 3u + corner].xyz) -
+        (view.placed ? view.from : dvec3(0.0lf));
+    return dvec3(dot(view.rows[0].xyz, from) + view.rows[0].w, dot(view.rows[1].xyz, from) +
+        view.rows[1].w,
                  view.placed ? dot(view.rows[2].xyz, from) + view.rows[2].w : 1.0lf);
 }
 
 dvec3[3] placesOf(View view, uint triangle)
 {
-    return dvec3[3](placeOf(view, triangle, 0u), placeOf(view, triangle, 1u), placeOf(view, triangle, 2u));
+    return dvec3[3](placeOf(view, triangle, 0u), placeOf(view, triangle, 1u),
+        placeOf(view, triangle, 2u));
 }
 
 // Permutes to the axes of a face: face 2 k faces along axis k, 2 k + 1 against it.
@@ -109,8 +112,10 @@ bool areBeyond(double a, double b, double c) { return max(max(a, b), c) < 0.0lf;
 bool isAway(dvec3 a, dvec3 b, dvec3 c, double size)
 {
     double from = -SPREAD, to = size + SPREAD;
-    return areBeyond(a.z, b.z, c.z) || areBeyond(a.x - from * a.z, b.x - from * b.z, c.x - from * c.z) ||
-           areBeyond(to * a.z - a.x, to * b.z - b.x, to * c.z - c.x) || areBeyond(a.y - from * a.z, b.y - from * b.z, c.y - from * c.z) ||
+    return areBeyond(a.z, b.z, c.z) ||
+        areBeyond(a.x - from * a.z, b.x - from * b.z, c.x - from * c.z) ||
+           areBeyond(to * a.z - a.x, to * b.z - b.x, to * c.z - c.x) ||
+               areBeyond(a.y - from * a.z, b.y - from * b.z, c.y - from * c.z) ||
            areBeyond(to * a.z - a.y, to * b.z - b.y, to * c.z - c.y);
 }
 
@@ -123,10 +128,14 @@ ivec4 boundsOf(dvec3 a, dvec3 b, dvec3 c, int size)
     if (min(min(a.z, b.z), c.z) <= 0.0lf) return ivec4(0, size - 1, 0, size - 1);
     dvec2 u = a.xy / a.z, v = b.xy / b.z, w = c.xy / c.z;
     dvec2 low = min(min(u, v), w) - SPREAD, high = max(max(u, v), w) + SPREAD;
-    return ivec4(cellOf(low.y, size), cellOf(high.y, size), cellOf(low.x, size), cellOf(high.x, size));
+    return ivec4(cellOf(low.y, size), cellOf(high.y, size), cellOf(low.x, size),
+        cellOf(high.x, size));
 }
 
-double greatest(dvec3 corner, double size) { return max(max(abs(corner.x), abs(corner.y)), abs(corner.z) * size); }
+double greatest(dvec3 corner, double size)
+{
+    return max(max(abs(corner.x), abs(corner.y)), abs(corner.z) * size);
+}
 
 Microfacet microfacetOf(View view, dvec3 places[3], int face)
 {
@@ -141,7 +150,8 @@ Microfacet microfacetOf(View view, dvec3 places[3], int face)
     if (isAway(a, b, c, size)) return microfacet;
     microfacet.bounds = boundsOf(a, b, c, view.size);
     microfacet.sides = dvec3[3](cross(b, c), cross(c, a), cross(a, b));
-    microfacet.off = double[3](ROUNDING * most[1] * most[2], ROUNDING * most[2] * most[0], ROUNDING * most[0] * most[1]);
+    microfacet.off = double[3](ROUNDING * most[1] * most[2], ROUNDING * most[2] * most[0],
+        ROUNDING * most[0] * most[1]);
     double volume = dot(a, microfacet.sides[0]), least = microfacet.off[0] * most[0] / size;
     microfacet.turn = volume > least ? 1 : volume < -least ? -1 : 0;
     return microfacet;
@@ -154,7 +164,8 @@ Microfacet microfacetOf(View view, dvec3 places[3], int face)
 void cutRange(dvec3 side, double off, double turn, dvec2 heights, inout dvec2 range)
 {
     dvec3 inward = turn * side;
-    double rest = inward.y * (inward.y > 0.0lf ? heights.y : heights.x) + inward.z + off, x = -rest / inward.x;
+    double rest = inward.y * (inward.y > 0.0lf ? heights.y : heights.x) + inward.z + off,
+        x = -rest / inward.x;
     if (inward.x > 0.0lf) range.x = max(range.x, x);
     else if (inward.x < 0.0lf) range.y = min(range.y, x);
     else if (rest < 0.0lf) range = dvec2(FAR, -FAR);
@@ -176,7 +187,8 @@ ivec2 cellsOf(Microfacet microfacet, int row, int size)
     dvec2 heights = dvec2(double(row) - SPREAD, double(row + 1) + SPREAD);
     dvec3 a = microfacet.corners[0], b = microfacet.corners[1], c = microfacet.corners[2];
     if (areBeyond(a.y - heights.x * a.z, b.y - heights.x * b.z, c.y - heights.x * c.z) ||
-        areBeyond(heights.y * a.z - a.y, heights.y * b.z - b.y, heights.y * c.z - c.y)) return ivec2(0, -1);
+        areBeyond(heights.y * a.z - a.y, heights.y * b.z - b.y,
+            heights.y * c.z - c.y)) return ivec2(0, -1);
     ivec2 cells = cellsLeft(microfacet, microfacet.turn < 0 ? -1.0lf : 1.0lf, heights, size);
     ivec2 other = microfacet.turn == 0 ? cellsLeft(microfacet, -1.0lf, heights, size) : cells;
     if (cells.x > cells.y || (other.x <= other.y && other.x < cells.x)) cells.x = other.x;
@@ -232,7 +244,8 @@ uint addTriangle(View view, uint triangle, uint light)
     dvec3 places[3] = placesOf(view, triangle);
     uint count = 0u;
     for (int face = 0; face < view.faces; face++)
-        count += addMicrofacet(view, microfacetOf(view, places, face), uvec2(triangle, face), light);
+        count += addMicrofacet(view, microfacetOf(view, places, face), uvec2(triangle, face),
+            light);
     return count;
 }
 
@@ -248,7 +261,8 @@ void addTriangles(uint light)
         if (exact_lists || !isTooMuch()) count += addTriangle(view, t, light);
     atomicAdd(group_entries, count);
     barrier();
-    if (gl_LocalInvocationIndex == 0u && !exact_lists && group_entries > 0u) atomicAdd(exact_entries, group_entries);
+    if (gl_LocalInvocationIndex == 0u && !exact_lists && group_entries > 0u)
+        atomicAdd(exact_entries, group_entries);
 }
 
 void addBlock(uvec2 block)
@@ -256,7 +270,8 @@ void addBlock(uvec2 block)
     View view = viewOf(block.y >> 16);
     uvec2 number = uvec2(block.x / 8u, block.x % 8u);
     Microfacet microfacet = microfacetOf(view, placesOf(view, number.x), int(number.y));
-    int thread = int(gl_LocalInvocationIndex), row = microfacet.bounds.x + int(block.y & 65535u) * ROWS + thread % ROWS;
+    int thread = int(gl_LocalInvocationIndex), row = microfacet.bounds.x +
+        int(block.y & 65535u) * ROWS + thread % ROWS;
     if (row > microfacet.bounds.y) return;
     uint count = addRow(view, microfacet, number, row, ivec2(thread / ROWS, 64 / ROWS));
     if (!exact_lists && count > 0u) atomicAdd(exact_entries, count);
@@ -266,6 +281,7 @@ void main()
 {
     if (!exact_rows) addTriangles(gl_WorkGroupID.y);
     else
-        for (uint i = gl_WorkGroupID.x; i < min(exact_blocks, exact_capacity); i += gl_NumWorkGroups.x)
+        for (uint i = gl_WorkGroupID.x; i < min(exact_blocks, exact_capacity);
+            i += gl_NumWorkGroups.x)
             if (exact_lists || !isTooMuch()) addBlock(exact_queue[i]);
 }

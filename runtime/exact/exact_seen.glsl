@@ -6,7 +6,8 @@ vec3 exact_point; // the lit pixel's point
 // point is on the triangle even at grazing angles.
 bool exactOn(uint triangle, ExactRay ray, out vec3 point)
 {
-    vec3 a = exactCorner(triangle, 0u), b = exactCorner(triangle, 1u), c = exactCorner(triangle, 2u);
+    vec3 a = exactCorner(triangle, 0u), b = exactCorner(triangle, 1u),
+        c = exactCorner(triangle, 2u);
     vec3 areas = exactAreas(exactSeen(ray, a), exactSeen(ray, b), exactSeen(ray, c));
     areas = max(areas.x + areas.y + areas.z < 0.0 ? -areas : areas, 0.0);
     float area = areas.x + areas.y + areas.z;
@@ -46,6 +47,7 @@ void exactAtPixel(ivec2 pixel, float depth, vec3 point, vec4 ray, vec4 view)
 {
     bool orthographic = view.y > 0.0;
     vec3 way = vec3((vec2(2 * pixel + 1) - ray.zw) * ray.xy, -1.0);
-    exactFind(pixel, orthographic ? vec3(way.xy, 0.0) : vec3(0.0), orthographic ? vec3(0.0, 0.0, -1.0) : way, point,
+    exactFind(pixel, orthographic ? vec3(way.xy, 0.0) : vec3(0.0),
+        orthographic ? vec3(0.0, 0.0, -1.0) : way, point,
               orthographic ? 0.0 : view.x);
 }

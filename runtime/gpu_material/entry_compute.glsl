@@ -12,7 +12,8 @@ layout(ENTRY_FORMAT) writeonly uniform image2D entry_target;
 int entryApart(int x)
 {
     const int part = 8 * ENTRY_APART;
-    int first = x - x % part, columns = min(part, 8 * int(gl_NumWorkGroups.x) - first) / ENTRY_APART;
+    int first = x - x % part, columns = min(part, 8 * int(gl_NumWorkGroups.x) - first) /
+        ENTRY_APART;
     return first + (x - first) % columns * ENTRY_APART + (x - first) / columns;
 }
 #endif
@@ -22,5 +23,6 @@ void main()
 #ifdef ENTRY_APART
     pixel.x = entryApart(pixel.x);
 #endif
-    if (all(lessThan(pixel, imageSize(entry_target)))) imageStore(entry_target, pixel, passPixel(pixel));
+    if (all(lessThan(pixel, imageSize(entry_target))))
+        imageStore(entry_target, pixel, passPixel(pixel));
 }

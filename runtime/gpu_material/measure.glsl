@@ -17,21 +17,25 @@ vec4 measureOf(int what, vec3 c)
 #else
     float luminance = toneLuminance(c);
     bool counts = luminance > LEAST;
-    return what < 2 ? vec4(c, luminance) : counts ? vec4(log(luminance), 1.0, luminance, luminance) : vec4(0.0, 0.0, GREATEST, GREATEST);
+    return what < 2 ? vec4(c, luminance) : counts ? vec4(log(luminance), 1.0, luminance, luminance)
+        : vec4(0.0, 0.0, GREATEST, GREATEST);
 #endif
 }
 
 vec4 passPixel(ivec2 place)
 {
     int what = place.x % 3;
-    ivec2 first = ivec2(place.x / 3, place.y) * BLOCK, last = min(first + BLOCK, ivec2(measure_width, measure_height));
+    ivec2 first = ivec2(place.x / 3, place.y) * BLOCK,
+        last = min(first + BLOCK, ivec2(measure_width, measure_height));
     first = max(first, ivec2(measure_x, measure_y));
     vec4 result = vec4(0.0, 0.0, what < 2 ? 0.0 : GREATEST, what < 2 ? 0.0 : GREATEST);
     for (int y = first.y; y < last.y; y++)
         for (int x = first.x; x < last.x; x++) {
-            vec4 one = texelFetch(measure_from, measure_first != 0 ? ivec2(x, y) : ivec2(3 * x + what, y), 0);
+            vec4 one = texelFetch(measure_from, measure_first != 0 ? ivec2(x, y)
+                : ivec2(3 * x + what, y), 0);
             // excludes the backdrop
-            if (measure_first != 0) one = measureOf(what, one.w > 0.0 ? toneGuard(one.xyz) : vec3(0.0));
+            if (measure_first != 0)
+                one = measureOf(what, one.w > 0.0 ? toneGuard(one.xyz) : vec3(0.0));
             result = what == 0   ? max(result, one)
                      : what == 1 ? result + one
                                  : vec4(result.xy + one.xy, min(result.zw, one.zw));

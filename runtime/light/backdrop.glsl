@@ -14,6 +14,7 @@ vec3 backdropAt(ivec2 pixel)
         ivec2 tile = ivec2(floor(place / backdrop_tile));
         return vec3((tile.x + tile.y & 1) != 0 ? 0.13286832 : 0.31854678); // sRGB's 0.4 and 0.6
     }
-    vec2 p = (2.0 * place - backdrop_place.zw) / min(backdrop_place.z, backdrop_place.w) - vec2(0.0, 0.1);
+    vec2 p = (2.0 * place - backdrop_place.zw) / min(backdrop_place.z, backdrop_place.w) -
+        vec2(0.0, 0.1);
     return mix(vec3(0.034, 0.036, 0.040), vec3(0.150, 0.155, 0.165), exp(-1.6 * dot(p, p)));
 }

@@ -12,5 +12,6 @@ layout(std140) uniform FarBudget {
 // Reports whether the surface reflects or transmits light of lamps.
 bool farReflects(Lit m)
 {
-    return any(greaterThan(surfaceEven(m) + surfaceSpecular(m), vec3(0.0))) || surfaceLetsThrough(m);
+    return any(greaterThan(surfaceEven(m) + surfaceSpecular(m), vec3(0.0))) ||
+        surfaceLetsThrough(m);
 }

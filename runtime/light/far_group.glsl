@@ -1,7 +1,8 @@
 // A group of pixels of a block, which are close to each other and have similar surfaces: written by
-// pass_groups.glsl, later replaced by the sums of pass_light_cluster.glsl. Preceded by lighting.glsl,
-// far_terms.glsl and far_blocks.glsl, and FAR_INVOCATIONS, the invocations per group: some software
-// renderers serialize accesses to shared memory, so that few invocations are faster there.
+// pass_groups.glsl, later replaced by the sums of pass_light_cluster.glsl. Preceded by
+// lighting.glsl, far_terms.glsl and far_blocks.glsl, and FAR_INVOCATIONS, the invocations per
+// group: some software renderers serialize accesses to shared memory, so that few invocations are
+// faster there.
 layout(std430, binding = FAR_WORDS_BINDING) buffer FarWords {
     uint far_words[];
 };
@@ -38,5 +39,6 @@ int farBits(int number) { return farBlock() * FAR_WORDS + FAR_MAP + number * FAR
 vec2 farCosines(float along, float cosine, float sine)
 {
     float aside = sqrt(max(1.0 - along * along, 0.0)) * sine;
-    return vec2(along > -cosine ? along * cosine - aside : -1.0, along < cosine ? along * cosine + aside : 1.0);
+    return vec2(along > -cosine ? along * cosine - aside : -1.0, along < cosine ? along * cosine +
+        aside : 1.0);
 }

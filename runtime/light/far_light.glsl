@@ -1,5 +1,5 @@
-// A light as bounded for a group of pixels, for pass_near.glsl and pass_light_cluster.glsl, with one work
-// group per group of pixels. Preceded by lighting.glsl, far_group.glsl and far_lobe.glsl.
+// A light as bounded for a group of pixels, for pass_near.glsl and pass_light_cluster.glsl, with
+// one work group per group of pixels. Preceded by lighting.glsl, far_group.glsl and far_lobe.glsl.
 layout(local_size_x = FAR_INVOCATIONS) in;
 // GROUP: invocations; PITCH: row length of partial sums, which puts neighbors in a column into
 // different memory banks
@@ -14,7 +14,8 @@ vec2 farCone(int light, vec3 way, float ratio)
 {
     vec2 cone = lightTexel(light, LIGHT_CONE).xy;
     float sine = min(ratio, 1.0);
-    vec2 cosines = ratio < 1.0 ? farCosines(-dot(way, lightTexel(light, LIGHT_AXIS).xyz), sqrt(1.0 - sine * sine), sine)
+    vec2 cosines = ratio < 1.0 ? farCosines(-dot(way, lightTexel(light, LIGHT_AXIS).xyz),
+        sqrt(1.0 - sine * sine), sine)
                                : vec2(-1.0, 1.0);
     return clamp(cone.x * cosines + cone.y, 0.0, 1.0);
 }
@@ -45,7 +46,10 @@ Far farLight(int light, Group group)
 }
 
 // Reports whether the light reaches no pixel of the group.
-bool farIsDark(Far far, Group group) { return far.power == vec3(0.0) || (far.most <= 0.0 && !group.behind); }
+bool farIsDark(Far far, Group group)
+{
+    return far.power == vec3(0.0) || (far.most <= 0.0 && !group.behind);
+}
 
 vec3 farTake(int i) { return vec3(far_group[i], far_group[i + 1], far_group[i + 2]); }
 
@@ -54,9 +58,13 @@ Group farLoad(int number)
     for (int i = int(gl_LocalInvocationIndex); i < GROUP_NUMBERS; i += GROUP)
         far_group[i] = far_numbers[farPlace(number) + i];
     barrier();
-    return Group(farTake(GROUP_CENTER), farTake(GROUP_AXIS), farTake(GROUP_VIEW), far_group[GROUP_RADIUS],
-                 far_group[GROUP_COSINE], far_group[GROUP_SINE], far_group[GROUP_ABOVE], far_group[GROUP_BELOW],
-                 far_group[GROUP_MIRROR], far_group[GROUP_EXPONENT], far_group[GROUP_TURN], far_group[GROUP_LEAN],
-                 far_group[GROUP_SPREAD], farTake(GROUP_EVEN), farTake(GROUP_DIM), farTake(GROUP_SPECULAR),
+    return Group(farTake(GROUP_CENTER), farTake(GROUP_AXIS), farTake(GROUP_VIEW),
+        far_group[GROUP_RADIUS],
+                 far_group[GROUP_COSINE], far_group[GROUP_SINE], far_group[GROUP_ABOVE],
+                     far_group[GROUP_BELOW],
+                 far_group[GROUP_MIRROR], far_group[GROUP_EXPONENT], far_group[GROUP_TURN],
+                     far_group[GROUP_LEAN],
+                 far_group[GROUP_SPREAD], farTake(GROUP_EVEN), farTake(GROUP_DIM),
+                     farTake(GROUP_SPECULAR),
                  far_group[GROUP_BEHIND] > 0.0);
 }

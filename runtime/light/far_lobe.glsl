@@ -43,13 +43,15 @@ Lobe farLobe(Far far, Group group)
     float q = far.ratio, nearer = 1.0 / (1.0 - q), k = group.exponent;
     // cosine of the sum of the angles
     float mirror = farCosines(group.mirror, sqrt(1.0 - q * q), q).x;
-    vec2 cosines = farCosines(dot(far.way, group.view), mirror, sqrt(max(1.0 - mirror * mirror, 0.0)));
+    vec2 cosines = farCosines(dot(far.way, group.view), mirror,
+        sqrt(max(1.0 - mirror * mirror, 0.0)));
     if (cosines.y <= 0.0) return Lobe(0.0, 0.0);
     float along = max(cosines.y, 1e-6), power = pow(along, k), square = nearer * nearer;
     float most = square * min(far.most * nearer, 1.0) * power;
     if (!farExpands(far) || k < 2.0) return Lobe(most, NEVER);
     float e = q * nearer, a = square * min(far.high * nearer, 1.0), over = k / along;
-    float a1 = nearer * square * far.lift + 3.0 * e * a, a2 = 6.0 * q * square * square * far.lift + 12.0 * e * e * a;
+    float a1 = nearer * square * far.lift + 3.0 * e * a, a2 = 6.0 * q * square * square * far.lift +
+        12.0 * e * e * a;
     float b1 = (group.turn + e) * (cosines.x > 0.0 ? sqrt(1.0 - cosines.x * cosines.x) : 1.0);
     float b2 = 2.0 * group.turn * e + 1.1548 * e * e;
     float curved = 0.5 * (a2 + 2.0 * a1 * over * b1 + a * (over * over * b1 * b1 + over * b2));
@@ -62,7 +64,8 @@ void farAddLobe(Far far, Group group, inout vec3 sums[FAR_LOBES])
 {
     float height = dot(group.axis, far.way), along = max(dot(group.view, far.way), 1e-30);
     float sharp = pow(along, group.exponent - 1.0), slope = height * group.exponent * sharp;
-    vec3 u = far.ratio * ((3.0 * height * far.way - group.axis) * (sharp * along) + slope * (along * far.way - group.view));
+    vec3 u = far.ratio * ((3.0 * height * far.way - group.axis) * (sharp * along) +
+        slope * (along * far.way - group.view));
     sums[0] += far.power * (height * sharp * along);
     sums[1] += far.power * u.x;
     sums[2] += far.power * u.y;

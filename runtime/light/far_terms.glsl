@@ -23,9 +23,10 @@
 //               (d/dx + i d/dy) R_km = -R_(k-1)(m+1)
 #include "far.layout.def"
 // Unrolled by macros: a compiler that keeps a loop would put the array into memory.
-#define FAR_EACH_OF_24(f, k)                                                                                           \
-    f(k) f(k + 1) f(k + 2) f(k + 3) f(k + 4) f(k + 5) f(k + 6) f(k + 7) f(k + 8) f(k + 9) f(k + 10) f(k + 11) f(k + 12)  \
-        f(k + 13) f(k + 14) f(k + 15) f(k + 16) f(k + 17) f(k + 18) f(k + 19) f(k + 20) f(k + 21) f(k + 22) f(k + 23)
+#define FAR_EACH_OF_24(f, k) \
+    f(k) f(k + 1) f(k + 2) f(k + 3) f(k + 4) f(k + 5) f(k + 6) f(k + 7) f(k + 8) f(k + 9) \
+    f(k + 10) f(k + 11) f(k + 12) f(k + 13) f(k + 14) f(k + 15) f(k + 16) f(k + 17) f(k + 18) \
+    f(k + 19) f(k + 20) f(k + 21) f(k + 22) f(k + 23)
 #define FAR_EACH(f) FAR_EACH_OF_24(f, 0) FAR_EACH_OF_24(f, 24)
 #define FAR_EACH_LOBE(f) f(0) f(1) f(2) f(3) f(4) f(5) f(6)
 
@@ -59,14 +60,17 @@ void farAdd(vec3 w, float ratio, vec3 power, inout vec3 sums[FAR_TERMS])
     FAR_ADD(8, s30) FAR_ADD2(9, s31) FAR_ADD2(11, s32) FAR_ADD2(13, s33)
     p *= ratio, pp *= ratio;
     float s40 = z7 * s30 - 9.0 * s20;
-    vec2 s41 = z7 * s31 - 8.0 * s21, s42 = z7 * s32 - 5.0 * s22, s43 = z7 * s33, s44 = 7.0 * farTimes(xy, s33);
+    vec2 s41 = z7 * s31 - 8.0 * s21, s42 = z7 * s32 - 5.0 * s22, s43 = z7 * s33,
+        s44 = 7.0 * farTimes(xy, s33);
     FAR_ADD(15, s40) FAR_ADD2(16, s41) FAR_ADD2(18, s42) FAR_ADD2(20, s43) FAR_ADD2(22, s44)
     float z9 = 9.0 * z, z11 = 11.0 * z;
     p *= ratio, pp *= ratio;
     float s50 = z9 * s40 - 16.0 * s30;
-    vec2 s51 = z9 * s41 - 15.0 * s31, s52 = z9 * s42 - 12.0 * s32, s53 = z9 * s43 - 7.0 * s33, s54 = z9 * s44,
+    vec2 s51 = z9 * s41 - 15.0 * s31, s52 = z9 * s42 - 12.0 * s32, s53 = z9 * s43 - 7.0 * s33,
+        s54 = z9 * s44,
          s55 = 9.0 * farTimes(xy, s44);
-    FAR_ADD(24, s50) FAR_ADD2(25, s51) FAR_ADD2(27, s52) FAR_ADD2(29, s53) FAR_ADD2(31, s54) FAR_ADD2(33, s55)
+    FAR_ADD(24, s50) FAR_ADD2(25, s51) FAR_ADD2(27, s52) FAR_ADD2(29, s53) FAR_ADD2(31,
+        s54) FAR_ADD2(33, s55)
     p *= ratio, pp *= ratio;
     FAR_ADD(35, z11 * s50 - 25.0 * s40)
     FAR_ADD2(36, z11 * s51 - 24.0 * s41)
@@ -86,7 +90,10 @@ vec2 farSlope(vec3 n, vec2 below, vec2 same, vec2 above)
 }
 
 #define FAR_SLOPE(at, same, above) slopes[at] = farSlope(n, same, above);
-#define FAR_SLOPE2(at, below, same, above) slope = farSlope(n, below, same, above); slopes[at] = slope.x; slopes[at + 1] = slope.y;
+#define FAR_SLOPE2(at, below, same, above) \
+    slope = farSlope(n, below, same, above); \
+    slopes[at] = slope.x; \
+    slopes[at + 1] = slope.y;
 
 // Derivatives of the harmonics along n, at u, whose length is at most 1.
 void farSlopes(vec3 u, vec3 n, out float slopes[FAR_TERMS])
@@ -124,7 +131,8 @@ void farSlopes(vec3 u, vec3 n, out float slopes[FAR_TERMS])
     FAR_SLOPE2(31, r43, r44, NONE)
     FAR_SLOPE2(33, r44, NONE, NONE)
     float r50 = (z9 * r40 - uu * r30) / 25.0;
-    vec2 r51 = (z9 * r41 - uu * r31) / 24.0, r52 = (z9 * r42 - uu * r32) / 21.0, r53 = (z9 * r43 - uu * r33) / 16.0,
+    vec2 r51 = (z9 * r41 - uu * r31) / 24.0, r52 = (z9 * r42 - uu * r32) / 21.0,
+        r53 = (z9 * r43 - uu * r33) / 16.0,
          r54 = z * r44, r55 = farTimes(xy, r44) / 10.0;
     FAR_SLOPE(35, r50, r51)
     FAR_SLOPE2(36, vec2(r50, 0.0), r51, r52)

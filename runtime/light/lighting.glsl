@@ -20,7 +20,10 @@ vec4 lightNumbers(int texel) { return light_texels[texel]; }
 #else
 uniform sampler2D light_lights;
 
-vec4 lightNumbers(int texel) { return texelFetch(light_lights, ivec2(texel % LIGHT_ROW, texel / LIGHT_ROW), 0); }
+vec4 lightNumbers(int texel)
+{
+    return texelFetch(light_lights, ivec2(texel % LIGHT_ROW, texel / LIGHT_ROW), 0);
+}
 #endif
 
 // A light's texel, LIGHT_PLACE and so on; plain lights have fewer texels and come first.
@@ -48,7 +51,8 @@ vec3 lightAt(int light, vec3 point, out vec3 l)
     float square = max(dot(way, way), 1e-30);
     l = way * inversesqrt(square);
     float s = clamp(cone.x * -dot(l, lightTexel(light, LIGHT_AXIS).xyz) + cone.y, 0.0, 1.0);
-    return lightTexel(light, LIGHT_POWER).xyz * (s * s * (3.0 - 2.0 * s) / (place.w > 0.0 ? square : 1.0));
+    return lightTexel(light, LIGHT_POWER).xyz *
+        (s * s * (3.0 - 2.0 * s) / (place.w > 0.0 ? square : 1.0));
 }
 
 // Radiance of a pixel without a surface.
@@ -72,7 +76,8 @@ struct Seen {
 // Unit direction to the eye, through a pixel.
 vec3 lightToEye(ivec2 pixel)
 {
-    return light_view.y > 0.0 ? vec3(0.0, 0.0, 1.0) : normalize(vec3((light_ray.zw - vec2(2 * pixel + 1)) * light_ray.xy, 1.0));
+    return light_view.y > 0.0 ? vec3(0.0, 0.0, 1.0)
+        : normalize(vec3((light_ray.zw - vec2(2 * pixel + 1)) * light_ray.xy, 1.0));
 }
 
 // Returns the surface point of a pixel; depth > 0.
@@ -80,11 +85,13 @@ Seen lightSeen(ivec2 pixel, float depth, Surface surface)
 {
     bool orthographic = light_view.y > 0.0;
     vec3 ray = vec3((vec2(2 * pixel + 1) - light_ray.zw) * light_ray.xy, -1.0);
-    vec3 point = orthographic ? vec3(ray.xy, (depth - 1.0) * light_view.x) : ray * (light_view.x / depth);
+    vec3 point = orthographic ? vec3(ray.xy, (depth - 1.0) * light_view.x)
+        : ray * (light_view.x / depth);
 #ifdef SHADOW_CALL_PIXEL
     shadowAtPixel(pixel, depth, point, light_ray, light_view);
 #endif
-    return Seen(pixel, point, 2.0 * light_ray.x * (orthographic ? 1.0 : -point.z), surfaceLit(surface, lightToEye(pixel)));
+    return Seen(pixel, point, 2.0 * light_ray.x * (orthographic ? 1.0 : -point.z),
+        surfaceLit(surface, lightToEye(pixel)));
 }
 
 // With tiled shadow lists the pass runs several times, and results add up: light that reads no list
@@ -138,7 +145,8 @@ vec3 lightFromOther(int light, Seen seen)
 #endif
     vec3 arrives = lightAt(light, seen.point, l);
     vec3 sent = arrives * surfaceLobe(seen.m, l);
-#if defined SHADOW_MAPS || defined SHADOW_PLANES || defined SHADOW_SHEETS || defined SHADOW_CALL_LIGHT
+#if defined SHADOW_MAPS || defined SHADOW_PLANES || defined SHADOW_SHEETS || \
+    defined SHADOW_CALL_LIGHT
     if (sent.x + sent.y + sent.z <= 0.0) return sent;
     vec3 side = dot(seen.m.normal, l) < 0.0 ? -seen.m.normal : seen.m.normal;
 #endif
@@ -150,14 +158,16 @@ vec3 lightFromOther(int light, Seen seen)
 #endif
 #ifdef SHADOW_CALL_LIGHT
     int method = int(lightTexel(light, LIGHT_AXIS).w);
-    sent *= shadowOfLight(method % SHADOW_METHODS, method / SHADOW_METHODS, views, seen.point, side, seen.pixelSize, seen.pixel);
+    sent *= shadowOfLight(method % SHADOW_METHODS, method / SHADOW_METHODS, views, seen.point, side,
+        seen.pixelSize, seen.pixel);
     if (sent.x + sent.y + sent.z <= 0.0) return vec3(0.0);
 #endif
 #if defined SHADOW_MAPS || defined SHADOW_PLANES || defined SHADOW_SHEETS
     sent *= shadowShare(lightTexel(light, LIGHT_PLACE), views, seen.point, side, seen.pixelSize);
 #endif
 #ifdef SHADOW_SHEETS
-    if (sent.x + sent.y + sent.z > 0.0) sent *= shadowSheets(int(lightTexel(light, LIGHT_POWER).w), seen.pixel);
+    if (sent.x + sent.y + sent.z > 0.0)
+        sent *= shadowSheets(int(lightTexel(light, LIGHT_POWER).w), seen.pixel);
 #endif
     return sent;
 }

@@ -19,7 +19,8 @@ shared uint far_nearest, far_owner; // the seed's depth, and its pixel number
 shared Seed far_seed;
 
 // Maxima over all invocations, of floats mapped to unsigned integers of the same order.
-const int LOW = 0, HIGH = 3, NORMAL = 6, ABOVE = 7, BELOW = 8, MIRROR = 9, EVEN = 10, DIM = 13, SPECULAR = 16, BROAD = 19,
+const int LOW = 0, HIGH = 3, NORMAL = 6, ABOVE = 7, BELOW = 8, MIRROR = 9, EVEN = 10, DIM = 13,
+    SPECULAR = 16, BROAD = 19,
           SHARP = 20, BEHIND = 21, BOUNDS = 22;
 shared uint far_bounds[BOUNDS];
 
@@ -44,7 +45,10 @@ float farBound(int bound)
     return uintBitsToFloat(ordered >> 31 != 0u ? ordered & 0x7fffffffu : ~ordered);
 }
 
-vec3 farBound3(int bound) { return vec3(farBound(bound), farBound(bound + 1), farBound(bound + 2)); }
+vec3 farBound3(int bound)
+{
+    return vec3(farBound(bound), farBound(bound + 1), farBound(bound + 2));
+}
 
 // -- pixels
 
@@ -53,7 +57,8 @@ int farSet(int i) { return i * GROUP + int(gl_LocalInvocationIndex); }
 
 ivec2 farPixel(int set, int k)
 {
-    return ivec2(gl_WorkGroupID.xy) * FAR_BLOCK + ivec2(set & 7, set >> 3) + 8 * ivec2(k % FAR_SPAN, k / FAR_SPAN);
+    return ivec2(gl_WorkGroupID.xy) * FAR_BLOCK + ivec2(set & 7, set >> 3) +
+        8 * ivec2(k % FAR_SPAN, k / FAR_SPAN);
 }
 
 float farDepth(int set, int k) { return texelFetch(light_depth, farPixel(set, k), 0).x; }
@@ -71,7 +76,8 @@ uint farBegin(int set)
 {
     uint waiting = 0u;
     for (int k = 0; k < PIXELS; k++)
-        if (all(lessThan(farPixel(set, k), textureSize(light_depth, 0))) && farDepth(set, k) > 0.0 && farReflects(farSeen(set, k).m))
+        if (all(lessThan(farPixel(set, k), textureSize(light_depth, 0))) &&
+            farDepth(set, k) > 0.0 && farReflects(farSeen(set, k).m))
             waiting |= 1u << k;
     return waiting;
 }
@@ -121,8 +127,10 @@ bool farShines(Lit m) { return any(greaterThan(surfaceSpecular(m), vec3(0.0))); 
 bool farIsAlike(Seen seen, Seed seed)
 {
     const float reach = 4.0 * float(FAR_BLOCK), turn = 0.8, sharper = 0.2;
-    return distance(seen.point, seed.point) <= reach * seen.pixelSize && dot(seen.m.normal, seed.axis) >= turn &&
-           (!farShines(seen.m) || abs(surfaceExponent(seen.m) - seed.exponent) <= sharper * seed.exponent);
+    return distance(seen.point, seed.point) <= reach * seen.pixelSize &&
+        dot(seen.m.normal, seed.axis) >= turn &&
+           (!farShines(seen.m) || abs(surfaceExponent(seen.m) - seed.exponent) <= sharper *
+               seed.exponent);
 }
 
 // Moves waiting pixels that are similar to the seed into a group; the last group takes all
@@ -132,7 +140,8 @@ void farSpread(int group, inout uint waiting[SETS], inout uint map[SETS])
     bool last = group == FAR_GROUPS - 1, some = false;
     Seed seed = far_seed; // one read: some drivers serialize reads of shared memory
     vec3 high = vec3(-NEVER), low = high, even = high, dim = high, specular = high;
-    float normal = -NEVER, above = normal, below = normal, mirror = normal, broad = normal, sharp = normal, behind = 0.0;
+    float normal = -NEVER, above = normal, below = normal, mirror = normal, broad = normal,
+        sharp = normal, behind = 0.0;
     for (int i = 0; i < SETS; i++)
         for (uint left = waiting[i]; left != 0u; left &= left - 1u) {
             Seen seen = farSeen(farSet(i), findLSB(left));
@@ -185,7 +194,8 @@ Group farFindGroup()
     group.radius = 0.5 * length(high - low) + far;
     group.cosine = clamp(-farBound(NORMAL) - rounding, -1.0, 1.0);
     group.sine = sqrt(1.0 - group.cosine * group.cosine);
-    vec2 higher = off * farCosines(off > 0.0 ? dot(way, group.axis) / off : 1.0, group.cosine, group.sine);
+    vec2 higher = off * farCosines(off > 0.0 ? dot(way, group.axis) / off : 1.0, group.cosine,
+        group.sine);
     group.above = farBound(ABOVE) - higher.x + far;
     group.below = -farBound(BELOW) - higher.y - far;
     group.mirror = clamp(-farBound(MIRROR) - rounding, -1.0, 1.0);

@@ -1,5 +1,5 @@
-// The pass light with light clustering: distant lights by the sums of pass_light_cluster.glsl for the
-// pixel's group, near lights one by one. Preceded by lighting.glsl, far_terms.glsl and
+// The pass light with light clustering: distant lights by the sums of pass_light_cluster.glsl for
+// the pixel's group, near lights one by one. Preceded by lighting.glsl, far_terms.glsl and
 // far_blocks.glsl.
 uniform sampler2D light_depth;
 
@@ -19,9 +19,11 @@ vec3 farIrradiance(int at, vec3 point, vec3 normal)
     farSlopes((point - centre.xyz) * centre.w, normal, s);
     vec3 sum = vec3(0.0);
     vec4 four;
-#define FAR_FOUR(k)                                                                                                    \
-    four = vec4(s[4 * k], s[4 * k + 1], s[4 * k + 2], s[4 * k + 3]);                                                   \
-    sum += vec3(dot(farTexel(at + FAR_SUMS + k), four), dot(farTexel(at + FAR_SUMS + FAR_QUADS + k), four), dot(farTexel(at + FAR_SUMS + 2 * FAR_QUADS + k), four));
+#define FAR_FOUR(k) \
+    four = vec4(s[4 * k], s[4 * k + 1], s[4 * k + 2], s[4 * k + 3]); \
+    sum += vec3(dot(farTexel(at + FAR_SUMS + k), four), \
+        dot(farTexel(at + FAR_SUMS + FAR_QUADS + k), four), \
+        dot(farTexel(at + FAR_SUMS + 2 * FAR_QUADS + k), four));
     FAR_FOUR(0) FAR_FOUR(1) FAR_FOUR(2) FAR_FOUR(3) FAR_FOUR(4) FAR_FOUR(5)
     FAR_FOUR(6) FAR_FOUR(7) FAR_FOUR(8) FAR_FOUR(9) FAR_FOUR(10) FAR_FOUR(11)
     return max(sum, 0.0);
@@ -32,9 +34,11 @@ vec3 farIrradiance(int at, vec3 point, vec3 normal)
 vec3 farSpecular(int at, vec3 point, vec3 mirror)
 {
     vec4 centre = farTexel(at + FAR_CENTER), u = vec4((point - centre.xyz) * centre.w, 1.0);
-    vec4 red = farTexel(at + FAR_MIRROR), green = farTexel(at + FAR_MIRROR + 1), blue = farTexel(at + FAR_MIRROR + 2);
+    vec4 red = farTexel(at + FAR_MIRROR), green = farTexel(at + FAR_MIRROR + 1),
+        blue = farTexel(at + FAR_MIRROR + 2);
     vec3 turn = mirror - vec3(red.w, green.w, blue.w);
-    vec3 sum = vec3(dot(farTexel(at + FAR_SPECULAR), u), dot(farTexel(at + FAR_SPECULAR + 1), u), dot(farTexel(at + FAR_SPECULAR + 2), u));
+    vec3 sum = vec3(dot(farTexel(at + FAR_SPECULAR), u), dot(farTexel(at + FAR_SPECULAR + 1), u),
+        dot(farTexel(at + FAR_SPECULAR + 2), u));
     return max(sum + vec3(dot(red.xyz, turn), dot(green.xyz, turn), dot(blue.xyz, turn)), 0.0);
 }
 #endif

@@ -35,7 +35,8 @@ float farShare(Far far, Group group, vec3 even, vec3 specular)
     expanded = lobe.rest < lobe.most;
     share += far.power * min(lobe.most, lobe.rest) * specular;
 #endif
-    return uintBitsToFloat((floatBitsToUint(max(max(share.x, share.y), share.z)) & ~1u) | uint(expanded));
+    return uintBitsToFloat((floatBitsToUint(max(max(share.x, share.y),
+        share.z)) & ~1u) | uint(expanded));
 }
 
 // -- near lights
@@ -79,7 +80,8 @@ float farThreshold(Group group, vec3 even, vec3 specular)
         float share = farIsDark(far, group) ? DARK : farShare(far, group, even, specular);
         far_parts[i] = share;
         if (share < 1.0 && share != DARK)
-            atomicAdd(far_shares[min(ONE - 1u - (floatBitsToUint(share) >> HALF_OCTAVE), 31u)], uint(share * UNITS) + 1u);
+            atomicAdd(far_shares[min(ONE - 1u - (floatBitsToUint(share) >> HALF_OCTAVE), 31u)],
+                uint(share * UNITS) + 1u);
     }
     barrier();
     uint sum = 0u;

@@ -30,7 +30,8 @@ struct Area {
 
 Area areaMeasured(vec3 corner, vec3 u, vec3 v, bool seen)
 {
-    float nearest = min(min(length(corner), length(corner + u)), min(length(corner + u + v), length(corner + v)));
+    float nearest = min(min(length(corner), length(corner + u)),
+        min(length(corner + u + v), length(corner + v)));
     return Area(corner, u, v, 2.0 * max(length(u), length(v)) / max(nearest, 1e-30), seen);
 }
 
@@ -44,23 +45,37 @@ Area areaSeen(vec3 corner, vec3 u, vec3 v, bool bothSides)
     vec3 face = cross(u, v);
     float height = dot(face, corner); // above 0: the point is behind the light
     bool turned = bothSides && height > 0.0;
-    return areaMeasured(corner, turned ? u : v, turned ? v : u, (bothSides ? abs(height) : -height) > 1e-6 * length(face));
+    return areaMeasured(corner, turned ? u : v, turned ? v : u,
+        (bothSides ? abs(height) : -height) > 1e-6 * length(face));
 }
 
 // Returns the parallelogram transformed by a matrix.
-Area areaInto(Area area, mat3 into) { return areaMeasured(into * area.corner, into * area.u, into * area.v, area.seen); }
+Area areaInto(Area area, mat3 into)
+{
+    return areaMeasured(into * area.corner, into * area.u, into * area.v, area.seen);
+}
 
 // Half spaces, as functions on a parallelogram: they contain (s, t) where h.x + h.y s + h.z t >= 0.
 const vec3 AREA_ALL = vec3(1.0, 0.0, 0.0);
-vec3 areaHalf(Area area, vec3 normal) { return vec3(dot(area.corner, normal), dot(area.u, normal), dot(area.v, normal)); }
+vec3 areaHalf(Area area, vec3 normal)
+{
+    return vec3(dot(area.corner, normal), dot(area.u, normal), dot(area.v, normal));
+}
 float areaLowest(vec3 h) { return h.x + min(h.y, 0.0) + min(h.z, 0.0); }
 float areaHighest(vec3 h) { return h.x + max(h.y, 0.0) + max(h.z, 0.0); }
 vec2 areaHeights(vec4 line, vec3 h) { return h.x + vec2(dot(h.yz, line.xy), dot(h.yz, line.zw)); }
 
 // Return lines from (s, t) to (s, t): an edge; the point where a line crosses the border of a half
 // space; the part of a line inside, or a line of length 0.
-vec4 areaEdge(int i) { return i < 2 ? i < 1 ? vec4(0.0, 0.0, 1.0, 0.0) : vec4(1.0, 0.0, 1.0, 1.0) : i < 3 ? vec4(1.0, 1.0, 0.0, 1.0) : vec4(0.0, 1.0, 0.0, 0.0); }
-vec2 areaCrossing(vec4 line, vec2 heights) { return mix(line.xy, line.zw, heights.x / (heights.x - heights.y)); }
+vec4 areaEdge(int i)
+{
+    return i < 2 ? i < 1 ? vec4(0.0, 0.0, 1.0, 0.0) : vec4(1.0, 0.0, 1.0, 1.0) : i < 3
+        ? vec4(1.0, 1.0, 0.0, 1.0) : vec4(0.0, 1.0, 0.0, 0.0);
+}
+vec2 areaCrossing(vec4 line, vec2 heights)
+{
+    return mix(line.xy, line.zw, heights.x / (heights.x - heights.y));
+}
 vec4 areaWithin(vec4 line, vec3 h)
 {
     vec2 heights = areaHeights(line, h);
@@ -116,7 +131,8 @@ vec4 areaLine(AreaBorder border, int i)
 // Returns -ln(1 - q) / q.
 float areaLogarithm(float q)
 {
-    return q < 0.015625 ? 1.0 + q * (0.5 + q * (1.0 / 3.0 + q * 0.25)) : -log(max(1.0 - q, 1e-30)) / q;
+    return q < 0.015625 ? 1.0 + q * (0.5 + q * (1.0 / 3.0 + q * 0.25))
+        : -log(max(1.0 - q, 1e-30)) / q;
 }
 
 // Integrates by Gaussian quadrature with 3 x 3 points over the whole parallelogram. For a small
@@ -132,8 +148,10 @@ float areaPoints(Area area, vec3 normal, vec3 w, float exponent)
         float square = dot(p, p);
         vec3 d = p * inversesqrt(square), across = cross(w, d);
         float q = min(dot(across, across), 1.0);
-        float power = exponent > 0.0 ? dot(w, d) > 0.0 ? exp(-0.5 * exponent * q * areaLogarithm(q)) : 0.0 : 1.0;
-        sum += WEIGHT[k % 3] * WEIGHT[k / 3] * max(dot(normal, d) * dot(face, d), 0.0) / square * power;
+        float power = exponent > 0.0 ? dot(w, d) > 0.0
+            ? exp(-0.5 * exponent * q * areaLogarithm(q)) : 0.0 : 1.0;
+        sum += WEIGHT[k % 3] * WEIGHT[k / 3] * max(dot(normal, d) * dot(face, d), 0.0) / square *
+            power;
     }
     return sum / AREA_PI;
 }
@@ -163,7 +181,8 @@ float areaCosine(Area area, vec3 normal, vec3 other)
     for (int i = 0; i < (whole ? 4 : AREA_LINES); i++) {
         vec4 line = areaLine(border, i);
         vec2 way = line.zw - line.xy;
-        vec3 a = area.corner + line.x * area.u + line.y * area.v, step_ = way.x * area.u + way.y * area.v;
+        vec3 a = area.corner + line.x * area.u + line.y * area.v, step_ = way.x * area.u +
+            way.y * area.v;
         vec3 m = cross(a, step_);
         float sine = length(m);
         if (sine > 0.0) sum += areaAngle(sine, dot(a, a + step_)) * (dot(m, normal) / sine);
@@ -186,7 +205,8 @@ float areaArc(vec3 a, vec3 step_, vec3 normal, vec3 w, float exponent)
     if (along < 1e-10) near = a; // all of the arc is perpendicular to w
     vec3 beside = cross(m, near);
     float r = min(sqrt(square + 4.0 / (exponent + 1.0)), 1.0);
-    float first = atan(dot(beside, a), r * dot(near, a)), last = atan(dot(beside, b), r * dot(near, b));
+    float first = atan(dot(beside, a), r * dot(near, a)),
+        last = atan(dot(beside, b), r * dot(near, b));
     if (last < first - 1.0) last += 2.0 * AREA_PI; // the arc crosses the branch cut of the angle
     float middle = 0.5 * (first + last), half_ = 0.5 * (last - first), sum = 0.0;
     for (int i = 0; i < 8; i++) {
@@ -194,7 +214,8 @@ float areaArc(vec3 a, vec3 step_, vec3 normal, vec3 w, float exponent)
         float c = cos(t), s = r * sin(t), rate = 1.0 / (c * c + s * s);
         float q = min(square + along * s * s * rate, 1.0); // q = 1 - (w.u)^2
         float logarithm = areaLogarithm(q), x = 0.5 * exponent * q * logarithm;
-        float h = x < 0.05 ? 0.5 * exponent * logarithm * (1.0 - x * (0.5 - x * (1.0 / 6.0 - x / 24.0)))
+        float h = x < 0.05 ? 0.5 * exponent * logarithm *
+            (1.0 - x * (0.5 - x * (1.0 / 6.0 - x / 24.0)))
                            : (1.0 - exp(-x)) / q;
         sum += WEIGHT[i & 3] * rate * (dot(normal, w) * off * h + dot(normal, m) * exp(-x));
     }
@@ -208,13 +229,16 @@ float areaLobe(Area area, vec3 above, vec3 normal, vec3 w, float exponent)
     // equals areaCosine() without its code, which compilers take seconds for
     bool even = exponent <= 0.0;
     if (areaHighest(above) <= 0.0 || !area.seen) return 0.0;
-    if (areaLowest(above) >= 0.0 && area.width * area.width * (exponent + 1.0) < (even ? 0.09 : 0.3)) return areaPoints(area, normal, w, exponent);
+    if (areaLowest(above) >= 0.0 && area.width * area.width * (exponent + 1.0) <
+        (even ? 0.09 : 0.3))
+        return areaPoints(area, normal, w, exponent);
     AreaBorder border = areaBorder(above, areaHalf(area, even ? normal : w));
     float sum = 0.0;
     for (int i = 0; i < AREA_LINES && areaHighest(border.second) > 0.0; i++) {
         vec4 line = areaLine(border, i);
         vec2 way = line.zw - line.xy;
-        sum += areaArc(area.corner + line.x * area.u + line.y * area.v, way.x * area.u + way.y * area.v, normal, w, exponent);
+        sum += areaArc(area.corner + line.x * area.u + line.y * area.v,
+            way.x * area.u + way.y * area.v, normal, w, exponent);
     }
     return max(sum, 0.0) / ((exponent + 2.0) * AREA_PI);
 }
@@ -242,16 +266,19 @@ vec3 areaOfSide(Area light, AreaSide side)
     if (any(greaterThan(side.even, vec3(0.0)))) {
         Area seen = light;
         if (into) seen = areaInto(light, side.into);
-        sum = side.even * areaCosine(seen, into ? vec3(0.0, 0.0, 1.0) : side.normal, into ? above : AREA_ALL);
+        sum = side.even * areaCosine(seen, into ? vec3(0.0, 0.0, 1.0) : side.normal,
+            into ? above : AREA_ALL);
     }
-    if (!into && any(greaterThan(side.specular, vec3(0.0)))) sum += side.specular * areaLobe(light, above, side.across, side.axis, side.exponent);
+    if (!into && any(greaterThan(side.specular, vec3(0.0))))
+        sum += side.specular * areaLobe(light, above, side.across, side.axis, side.exponent);
     return sum;
 }
 #else
 // Returns a parallelogram light as seen from a point.
 Area areaAt(int light, vec3 point)
 {
-    return areaSeen(lightTexel(light, LIGHT_PLACE).xyz - point, lightTexel(light, LIGHT_AXIS).xyz, lightTexel(light, LIGHT_CONE).xyz,
+    return areaSeen(lightTexel(light, LIGHT_PLACE).xyz - point, lightTexel(light, LIGHT_AXIS).xyz,
+        lightTexel(light, LIGHT_CONE).xyz,
                     lightTexel(light, LIGHT_POWER).w > 0.0);
 }
 

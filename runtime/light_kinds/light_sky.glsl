@@ -14,7 +14,10 @@ uniform samplerCube sky_map;
 const int SKY_SAMPLES = 64;
 const float SKY_PI = 3.14159265358979;
 
-vec3 skyWorld(vec3 v) { return vec3(dot(sky_world[0].xyz, v), dot(sky_world[1].xyz, v), dot(sky_world[2].xyz, v)); }
+vec3 skyWorld(vec3 v)
+{
+    return vec3(dot(sky_world[0].xyz, v), dot(sky_world[1].xyz, v), dot(sky_world[2].xyz, v));
+}
 
 // Returns the irradiance over pi, for a surface with this normal. Horner's scheme in x, then in y,
 // with the powers of z accumulated.
@@ -42,7 +45,8 @@ vec3 skyIrradiance(vec3 normal)
 vec3 skyLobe(vec3 normal, vec3 w, float exponent)
 {
     vec3 n = skyWorld(normal), axis = skyWorld(w), sum = vec3(0.0);
-    vec3 aside = normalize(abs(axis.z) < 0.7 ? cross(axis, vec3(0.0, 0.0, 1.0)) : cross(axis, vec3(1.0, 0.0, 0.0)));
+    vec3 aside = normalize(abs(axis.z) < 0.7 ? cross(axis, vec3(0.0, 0.0, 1.0))
+        : cross(axis, vec3(1.0, 0.0, 0.0)));
     vec3 across = cross(axis, aside);
     float texels = float(textureSize(sky_map, 0).x);
     for (int i = 0; i < SKY_SAMPLES; i++) {

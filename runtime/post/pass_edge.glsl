@@ -39,7 +39,8 @@ int sideOf(ivec2 pixel, float above, ivec2 up)
 {
     int side = above > 0.0 ? 1 : -1;
     if (abs(above) > CENTRE) return side;
-    float here = depthAt(pixel), there = depthAt(pixel + side * up), other = depthAt(pixel - side * up);
+    float here = depthAt(pixel), there = depthAt(pixel + side * up),
+        other = depthAt(pixel - side * up);
     return abs(there - here) >= abs(other - here) ? side : -side;
 }
 
@@ -66,7 +67,8 @@ float depthToward(ivec2 pixel, ivec2 behind, float way)
 bool isEdge(ivec2 pixel, ivec2 beyond, ivec2 toward, vec4 line)
 {
     float here = depthAt(pixel), there = depthAt(beyond), away = abs(line.x);
-    float a = depthToward(pixel, pixel - toward, away), b = depthToward(beyond, beyond + toward, 1.0 - away);
+    float a = depthToward(pixel, pixel - toward, away),
+        b = depthToward(beyond, beyond + toward, 1.0 - away);
     return isSeen(beyond) && min(here, there) <= line.z * NEARER && min(a, b) <= line.z * AS_NEAR &&
            (beyond == pixel + toward || max(a, b) <= line.z * NEARER) &&
            (line.w > 0.0 ? min(here, there) : max(here, there)) >= line.z * FURTHER;
@@ -79,12 +81,14 @@ void mark(ivec2 pixel, vec4 line, bool steep, bool within)
     ivec2 up = steep ? ivec2(1, 0) : ivec2(0, 1);
     int side = sideOf(pixel, line.x, up);
     uint aside = 1u;
-    for (uint i = 0u; i < 3u && !isEdge(pixel, pixel + side * up + (int(aside) - 1) * up.yx, side * up, line); i++)
+    for (uint i = 0u; i < 3u && !isEdge(pixel, pixel + side * up + (int(aside) - 1) * up.yx,
+        side * up, line); i++)
         aside = i == 0u ? 0u : i == 1u ? 2u : 3u;
     if (!isSeen(pixel) || aside > 2u) return;
     uint near = uint(1023.0 * (1.0 - min(abs(line.x), 1.0)) + 0.5);
     uint inclined = uint(1023.0 * (line.y + 1.0) * 0.5 + 0.5);
-    uint word = uint(within) << 31 | near << 21 | uint(side > 0) << 20 | uint(steep) << 19 | inclined << 8 | aside << 1 | 1u;
+    uint word = uint(within) << 31 | near << 21 | uint(side >
+        0) << 20 | uint(steep) << 19 | inclined << 8 | aside << 1 | 1u;
     imageAtomicMax(edge_target, pixel, word);
 }
 
@@ -113,7 +117,8 @@ void main()
         float middle = float(column) + 0.5;
         vec3 at = from + step * (middle - from.x);
         for (int row = int(ceil(at.y - reach - 0.5)); float(row) + 0.5 < at.y + reach; row++)
-            mark(steep ? ivec2(row, column) : ivec2(column, row), vec4(at.y - (float(row) + 0.5), step.y, at.z, crease), steep,
+            mark(steep ? ivec2(row, column) : ivec2(column, row),
+                vec4(at.y - (float(row) + 0.5), step.y, at.z, crease), steep,
                  middle >= from.x && middle < to.x);
     }
 }

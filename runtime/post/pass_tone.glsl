@@ -11,7 +11,8 @@ uniform sampler2D tone_tools;
 // sRGB transfer function (IEC 61966-2-1).
 vec3 toneEncoded(vec3 c)
 {
-    return mix(12.92 * c, 1.055 * pow(max(c, 1e-6), vec3(1.0 / 2.4)) - 0.055, greaterThan(c, vec3(0.0031308)));
+    return mix(12.92 * c, 1.055 * pow(max(c, 1e-6), vec3(1.0 / 2.4)) - 0.055,
+        greaterThan(c, vec3(0.0031308)));
 }
 
 // Returns the tone-mapped color, or with TONE_LIGHT the light; both linear.

@@ -75,8 +75,10 @@ uniform sampler2D tone_adapted; // texels 0 and 2 of the reduction of toneAdapte
 
 float toneContrast()
 {
-    float brightest = log(max(toneMeasured(0).w, LEAST)), darkest = log(max(toneMeasured(2).z, LEAST));
-    float key = brightest > darkest ? (brightest - toneMeanLogarithm()) / (brightest - darkest) : 1.0;
+    float brightest = log(max(toneMeasured(0).w, LEAST)),
+        darkest = log(max(toneMeasured(2).z, LEAST));
+    float key = brightest > darkest ? (brightest - toneMeanLogarithm()) / (brightest - darkest)
+        : 1.0;
     return tone_numbers.y > 0.0 ? tone_numbers.y : 0.3 + 0.7 * pow(clamp(key, 0.0, 1.0), 1.4);
 }
 

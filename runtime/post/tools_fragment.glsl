@@ -20,7 +20,9 @@ const float NEARER = 1.0 / 65536.0;
 float groundDepth()
 {
     vec3 ray = vec3((2.0 * gl_FragCoord.xy - tools_ray.zw) * tools_ray.xy, -1.0);
-    if (tools_view.y > 0.0) return 1.0 + (tools_ground.w - dot(tools_ground.xy, ray.xy)) / tools_ground.z / tools_view.x;
+    if (tools_view.y > 0.0)
+        return 1.0 + (tools_ground.w - dot(tools_ground.xy, ray.xy)) / tools_ground.z /
+            tools_view.x;
     return tools_view.x * dot(tools_ground.xyz, ray) / tools_ground.w;
 }
 

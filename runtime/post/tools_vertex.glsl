@@ -15,5 +15,6 @@ void main()
 {
     line_color = tools_color;
     line_ground = tools_point.w;
-    gl_Position = vec4(tools_clip.xy * tools_point.xy, tools_clip.z * tools_point.z + tools_clip.w, tools_w.x * tools_point.z + tools_w.y);
+    gl_Position = vec4(tools_clip.xy * tools_point.xy, tools_clip.z * tools_point.z + tools_clip.w,
+        tools_w.x * tools_point.z + tools_w.y);
 }

@@ -22,7 +22,8 @@ void main()
     if (through == uvec3(2097151u)) return;
     uint number = atomicAdd(glass_count, 1u);
     if (number >= glass_capacity) return;
-    uvec2 place = uvec2(gl_FragCoord.x, uint(glass_map) * glass_size + uint(gl_FragCoord.y)) - glass_part.xy;
+    uvec2 place = uvec2(gl_FragCoord.x, uint(glass_map) * glass_size + uint(gl_FragCoord.y)) -
+        glass_part.xy;
     uint head = place.y * glass_part.z + place.x, at = glass_heads + number * 4u;
     glass_words[at] = atomicExchange(glass_words[head], number + 1u);
     glass_words[at + 1u] = floatBitsToUint(gl_FragCoord.z);

@@ -24,7 +24,8 @@ layout(rg32ui) uniform uimage2DArray sheet_layers;
 vec3 sheetSeen(ivec2 pixel, float depth)
 {
     vec3 ray = vec3((vec2(2 * pixel + 1) - sheet_ray.zw) * sheet_ray.xy, -1.0);
-    return sheet_view.y > 0.0 ? vec3(ray.xy, (depth - 1.0) * sheet_view.x) : ray * (sheet_view.x / depth);
+    return sheet_view.y > 0.0 ? vec3(ray.xy, (depth - 1.0) * sheet_view.x)
+        : ray * (sheet_view.x / depth);
 }
 
 // Returns true if the plane separates the point from the light, like shadowBetween(); `met` is the
@@ -53,8 +54,10 @@ void main()
     if (between) through = sheetThrough(uintBitsToFloat(fragment0.xyz));
     if (sheet_more > 0) {
         uvec2 words = imageLoad(sheet_layers, texel).xy;
-        through *= vec3(words.x & 2097151u, words.x >> 21 | (words.y & 1023u) << 11, words.y >> 10) / 2097151.0;
+        through *= vec3(words.x & 2097151u, words.x >> 21 | (words.y & 1023u) << 11,
+            words.y >> 10) / 2097151.0;
     }
     uvec3 shares = uvec3(through * 2097151.0 + 0.5);
-    imageStore(sheet_layers, texel, uvec4(shares.x | shares.y << 21, shares.y >> 11 | shares.z << 10, 0u, 0u));
+    imageStore(sheet_layers, texel,
+        uvec4(shares.x | shares.y << 21, shares.y >> 11 | shares.z << 10, 0u, 0u));
 }

@@ -41,7 +41,8 @@ bool shadowIsFirst()
 // Returns true if a light contributes in this tile, by its views.
 bool shadowIsRead(ivec2 views)
 {
-    uint size = uint(SHADOW_SIZE), first = uint(views.x) * size, rows = uint(max(views.y, 0)) * size;
+    uint size = uint(SHADOW_SIZE), first = uint(views.x) * size,
+        rows = uint(max(views.y, 0)) * size;
     return shadowIsFirst() || (first < glass_part.y + glass_part.w && glass_part.y < first + rows);
 }
 #endif
@@ -192,7 +193,8 @@ SHARE shadowFiltered(int first, bool cube, vec3 place, vec4 how)
         for (int x = 0; x <= SHADOW_FILTER; x++) {
             ivec2 texel = low + ivec2(x, y);
             float weight = shadowWeight(x, part.x) * shadowWeight(y, part.y);
-            bool inside = all(greaterThanEqual(texel, ivec2(0))) && all(lessThan(texel, ivec2(SHADOW_SIZE)));
+            bool inside = all(greaterThanEqual(texel, ivec2(0))) &&
+                all(lessThan(texel, ivec2(SHADOW_SIZE)));
             sum += weight * (inside ? shadowTexel(first + face, texel, depth)
                              : cube ? shadowBeyond(first, face, turned, texel, how)
                                     : shadowNone());
@@ -237,7 +239,8 @@ SHARE shadowCascaded(int first, int count, vec3 point, vec3 normal, float pixel)
     SHARE sum = SHARE(0.0);
     float left = 1.0;
     for (int view = first; view < first + count && left > 0.0; view++) {
-        float part = view < first + count - 1 ? left * shadowInside(view, point, normal, pixel) : left;
+        float part = view < first + count - 1 ? left * shadowInside(view, point, normal, pixel)
+            : left;
         if (part > 0.0) sum += part * shadowViewed(view, 1, point, normal, pixel);
         left -= part;
     }
@@ -294,7 +297,8 @@ vec3 shadowSheets(int layer, ivec2 pixel)
 {
     if (layer == 0) return vec3(1.0);
     uvec2 words = texelFetch(plane_transmittances, ivec3(pixel, layer - 1), 0).xy;
-    return vec3(words.x & 2097151u, words.x >> 21 | (words.y & 1023u) << 11, words.y >> 10) / 2097151.0;
+    return vec3(words.x & 2097151u, words.x >> 21 | (words.y & 1023u) << 11, words.y >> 10) /
+        2097151.0;
 }
 #endif
 

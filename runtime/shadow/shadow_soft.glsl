@@ -41,20 +41,27 @@ struct Soft {
 
 Soft softOf(int light, Seen seen)
 {
-    vec4 corner = lightTexel(light, LIGHT_PLACE), u = lightTexel(light, LIGHT_AXIS), v = lightTexel(light, LIGHT_CONE);
-    vec3 x = normalize(u.xyz), z = normalize(cross(u.xyz, v.xyz)), y = cross(z, x), way = seen.point - corner.xyz;
+    vec4 corner = lightTexel(light, LIGHT_PLACE), u = lightTexel(light, LIGHT_AXIS),
+        v = lightTexel(light, LIGHT_CONE);
+    vec3 x = normalize(u.xyz), z = normalize(cross(u.xyz, v.xyz)), y = cross(z, x),
+        way = seen.point - corner.xyz;
     float side = dot(z, way) < 0.0 ? -1.0 : 1.0, near = 0.0;
     int layer = int(u.w) - 1 + (side < 0.0 ? SOFT_POINTS * SOFT_POINTS : 0);
 #ifdef SHADOW_MAPS
     near = shadowRow(layer, VIEW_HOW).x;
 #endif
-    return Soft(corner.xyz, u.xyz, v.xyz, seen.point, vec2(length(u.xyz), 0.0), vec2(dot(v.xyz, x), dot(v.xyz, y)),
+    return Soft(corner.xyz, u.xyz, v.xyz, seen.point, vec2(length(u.xyz), 0.0),
+        vec2(dot(v.xyz, x), dot(v.xyz, y)),
                 vec3(dot(x, way), dot(y, way), abs(dot(z, way))),
-                vec3(dot(x, seen.m.normal), dot(y, seen.m.normal), side * dot(z, seen.m.normal)), seen.pixelSize,
+                vec3(dot(x, seen.m.normal), dot(y, seen.m.normal), side * dot(z, seen.m.normal)),
+                    seen.pixelSize,
                 any(greaterThan(surfaceLobe(seen.m, -seen.m.normal), vec3(0.0))), layer, near);
 }
 
-vec2 softPart(ivec2 point) { return clamp(vec2(point) / float(SOFT_CELLS), SOFT_INSET, 1.0 - SOFT_INSET); }
+vec2 softPart(ivec2 point)
+{
+    return clamp(vec2(point) / float(SOFT_CELLS), SOFT_INSET, 1.0 - SOFT_INSET);
+}
 
 vec3 softPlace(Soft s, vec2 part) { return vec3(part.x * s.along_u + part.y * s.along_v, 0.0); }
 
@@ -96,7 +103,8 @@ vec3 softWay(ivec2 texel)
 {
     vec2 at = (vec2(texel) + 0.5) / float(SOFT_QUARTER) - 2.0, size = abs(at);
     if (max(size.x, size.y) <= 1.0) return vec3(at, 1.0);
-    return size.x > size.y ? vec3(sign(at.x), at.y, 2.0 - size.x) : vec3(at.x, sign(at.y), 2.0 - size.y);
+    return size.x > size.y ? vec3(sign(at.x), at.y, 2.0 - size.x)
+        : vec3(at.x, sign(at.y), 2.0 - size.y);
 }
 
 // Returns true if an occluder at the distance `away` in a map is in front of the surface.
@@ -247,7 +255,8 @@ SHARE softCell(Soft s, ivec2 cell)
     float along = softAlong(s, cell), all = 0.0;
     for (int i = 0; i < SOFT_WAYS; i++) {
         int reversed = (i & 1) << 3 | (i & 2) << 1 | (i & 4) >> 1 | (i & 8) >> 3;
-        vec2 inside = (vec2(i, reversed) + shift) / float(SOFT_WAYS), part = (vec2(cell) + inside) / float(SOFT_CELLS);
+        vec2 inside = (vec2(i, reversed) + shift) / float(SOFT_WAYS),
+            part = (vec2(cell) + inside) / float(SOFT_CELLS);
         float weight = softWeight(s, softPlace(s, part));
         if (weight <= 0.0) continue;
         SHARE share = softPlanes(s, part);
@@ -267,7 +276,8 @@ SHARE softCell(Soft s, ivec2 cell)
 // occlusion, then minus the occluded part of each cell.
 vec3 softLight(int light, Seen seen)
 {
-    vec4 corner = lightTexel(light, LIGHT_PLACE), u = lightTexel(light, LIGHT_AXIS), v = lightTexel(light, LIGHT_CONE);
+    vec4 corner = lightTexel(light, LIGHT_PLACE), u = lightTexel(light, LIGHT_AXIS),
+        v = lightTexel(light, LIGHT_CONE);
     bool both = lightTexel(light, LIGHT_POWER).w > 0.0;
     vec3 sum = vec3(0.0);
     SHARE lost = SHARE(1.0);
@@ -285,7 +295,8 @@ vec3 softLight(int light, Seen seen)
             lost = corners.y == 4 ? SHARE(-1.0) : softCell(s, cell) - 1.0;
         }
         vec2 part = vec2(cell) / cells;
-        sum += lost * surfaceArea(seen.m, areaSeen(corner.xyz + part.x * u.xyz + part.y * v.xyz - seen.point, u.xyz / cells,
+        sum += lost * surfaceArea(seen.m,
+            areaSeen(corner.xyz + part.x * u.xyz + part.y * v.xyz - seen.point, u.xyz / cells,
                                                    v.xyz / cells, both));
     }
     if (count == 0) return sum;

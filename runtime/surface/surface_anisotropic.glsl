@@ -145,9 +145,11 @@ Anisotropy anisotropyOf(vec2 slot, vec3 normal, float rough)
     vec2 twice = strength > 1e-6 ? slot / length(slot) : vec2(1.0, 0.0);
     vec2 once = sqrt(max(0.5 + vec2(0.5, -0.5) * twice.x, 0.0));
     once.y = twice.y < 0.0 ? -once.y : once.y;
-    float across = dot(normal.xy, normal.xy), below = normal.z < 0.0 ? across / (1.0 - normal.z) : 1.0 + normal.z;
+    float across = dot(normal.xy, normal.xy), below = normal.z < 0.0 ? across / (1.0 - normal.z)
+        : 1.0 + normal.z;
     vec2 k = normal.xy / max(below, 1e-12);
-    vec3 x = vec3(1.0 - k.x * normal.x, -k.x * normal.y, -normal.x), y = vec3(-k.y * normal.x, 1.0 - k.y * normal.y, -normal.y);
+    vec3 x = vec3(1.0 - k.x * normal.x, -k.x * normal.y, -normal.x),
+        y = vec3(-k.y * normal.x, 1.0 - k.y * normal.y, -normal.y);
     m.along = once.x * x + once.y * y;
     m.across = once.x * y - once.y * x;
     float wide = rough * rough * sqrt(2.0 / (1.0 + other * other));
@@ -170,7 +172,8 @@ float anisotropyToward(Anisotropy m, vec3 v)
 
 Row rowOf(vec4 lines[6], vec4 g)
 {
-    return Row(vec4(dot(lines[0], g), dot(lines[1], g), dot(lines[2], g), dot(lines[3], g)), vec2(dot(lines[4], g), dot(lines[5], g)));
+    return Row(vec4(dot(lines[0], g), dot(lines[1], g), dot(lines[2], g), dot(lines[3], g)),
+        vec2(dot(lines[4], g), dot(lines[5], g)));
 }
 
 // Returns what albedo() does, along a direction: within 0.011 and 0.006 of the integrals for
@@ -179,7 +182,8 @@ vec2 albedoAlong(float cosine, float g, Anisotropy m)
 {
     vec4 powers = vec4(1.0, g, g * g, g * g * g);
     float along = m.alpha * g;
-    float loss = clamp(rowAt(rowOf(m.loss, powers), cosine * (1.0 + along) / (cosine + along)), 0.0, 1.0);
+    float loss = clamp(rowAt(rowOf(m.loss, powers), cosine * (1.0 + along) / (cosine + along)), 0.0,
+        1.0);
     float q = clamp(rowAt(rowOf(m.grazing, powers), sqrt(cosine + 0.5 * along)), 0.0, 1.0);
     return vec2(loss, (1.0 - loss) * q * q * q * q * q);
 }
@@ -189,7 +193,8 @@ vec2 albedoAlong(float cosine, float g, Anisotropy m)
 vec2 albedoAround(float cosine, Anisotropy m)
 {
     float off = 0.70710678 * m.ratio * (1.0 - cosine * cosine);
-    return 0.5 * (albedoAlong(cosine, sqrt(1.0 + off), m) + albedoAlong(cosine, sqrt(1.0 - off), m));
+    return 0.5 * (albedoAlong(cosine, sqrt(1.0 + off), m) +
+        albedoAlong(cosine, sqrt(1.0 - off), m));
 }
 
 // Returns cosine (1 + 2 Lambda) of Smith's masking for a direction with that cosine.

@@ -37,7 +37,10 @@ struct Row {
     vec2 high;
 };
 
-float rowAt(Row a, float x) { return a.low.x + x * (a.low.y + x * (a.low.z + x * (a.low.w + x * (a.high.x + x * a.high.y)))); }
+float rowAt(Row a, float x)
+{
+    return a.low.x + x * (a.low.y + x * (a.low.z + x * (a.low.w + x * (a.high.x + x * a.high.y))));
+}
 
 // Part of GGX's albedos that depends on the roughness only: polynomials in a function of the angle,
 // evaluated by albedo().
@@ -50,27 +53,42 @@ Row lossOf(float alpha)
 {
     vec4 p = vec4(1.0, alpha, alpha * alpha, alpha * alpha * alpha);
     vec2 q = p.zw * p.z; // alpha^4, alpha^5
-    return Row(vec4(dot(p, vec4(0.00541417324, -0.0802598988, 0.331120234, -0.549823251)) + dot(q, vec2(0.412405132, -0.114975581)),
-                    dot(p, vec4(0.0490225499, 2.36567246, -6.3156039, 14.0076693)) + dot(q, vec2(-11.1162599, 3.0406926)),
-                    dot(p, vec4(1.03763889, -19.3840807, 76.0973214, -142.107111)) + dot(q, vec2(108.540868, -29.8151354)),
-                    dot(p, vec4(-1.21144156, 50.948669, -236.742035, 456.215017)) + dot(q, vec2(-360.753228, 102.821782))),
-               vec2(dot(p, vec4(-1.10015173, -50.1714478, 280.583884, -571.944723)) + dot(q, vec2(470.757091, -139.104376)),
-                    dot(p, vec4(1.2209995, 16.2630829, -112.33339, 244.772749)) + dot(q, vec2(-210.325806, 64.3963559))));
+    return Row(vec4(dot(p, vec4(0.00541417324, -0.0802598988, 0.331120234, -0.549823251)) +
+        dot(q, vec2(0.412405132, -0.114975581)),
+                    dot(p, vec4(0.0490225499, 2.36567246, -6.3156039, 14.0076693)) +
+                        dot(q, vec2(-11.1162599, 3.0406926)),
+                    dot(p, vec4(1.03763889, -19.3840807, 76.0973214, -142.107111)) +
+                        dot(q, vec2(108.540868, -29.8151354)),
+                    dot(p, vec4(-1.21144156, 50.948669, -236.742035, 456.215017)) +
+                        dot(q, vec2(-360.753228, 102.821782))),
+               vec2(dot(p, vec4(-1.10015173, -50.1714478, 280.583884, -571.944723)) +
+                   dot(q, vec2(470.757091, -139.104376)),
+                    dot(p, vec4(1.2209995, 16.2630829, -112.33339, 244.772749)) +
+                        dot(q, vec2(-210.325806, 64.3963559))));
 }
 
 Row grazingOf(float rough)
 {
     vec4 p = vec4(1.0, rough, rough * rough, rough * rough * rough);
     vec2 q = p.zw * p.z;
-    return Row(vec4(dot(p, vec4(1.00224032, -0.0662290637, -7.94384868, 12.296826)) + dot(q, vec2(87.1399725, -147.642713)),
-                    dot(p, vec4(-0.0744141474, 6.807808, 34.2218858, -329.730659)) + dot(q, vec2(139.481849, 483.915005)),
-                    dot(p, vec4(-0.927768838, -46.9780731, 164.191096, 708.135015)) + dot(q, vec2(-1141.46066, -473.420831)),
-                    dot(p, vec4(1.54931621, 98.8533863, -718.783035, 65.237189)) + dot(q, vec2(1357.76862, 115.638134))),
-               vec2(dot(p, vec4(-4.1182924, -73.4273809, 847.482319, -1057.4753)) + dot(q, vec2(-194.466002, -46.7178094)),
-                    dot(p, vec4(2.82127544, 11.1127891, -302.8796, 575.312636)) + dot(q, vec2(-229.887532, 63.4033289))));
+    return Row(vec4(dot(p, vec4(1.00224032, -0.0662290637, -7.94384868, 12.296826)) +
+        dot(q, vec2(87.1399725, -147.642713)),
+                    dot(p, vec4(-0.0744141474, 6.807808, 34.2218858, -329.730659)) +
+                        dot(q, vec2(139.481849, 483.915005)),
+                    dot(p, vec4(-0.927768838, -46.9780731, 164.191096, 708.135015)) +
+                        dot(q, vec2(-1141.46066, -473.420831)),
+                    dot(p, vec4(1.54931621, 98.8533863, -718.783035, 65.237189)) +
+                        dot(q, vec2(1357.76862, 115.638134))),
+               vec2(dot(p, vec4(-4.1182924, -73.4273809, 847.482319, -1057.4753)) +
+                   dot(q, vec2(-194.466002, -46.7178094)),
+                    dot(p, vec4(2.82127544, 11.1127891, -302.8796, 575.312636)) +
+                        dot(q, vec2(-229.887532, 63.4033289))));
 }
 
-Roughness roughnessOf(float rough) { return Roughness(rough * rough, rough, lossOf(rough * rough), grazingOf(rough)); }
+Roughness roughnessOf(float rough)
+{
+    return Roughness(rough * rough, rough, lossOf(rough * rough), grazingOf(rough));
+}
 
 // Albedos of the lobe with a Fresnel term of 1: x is 1 - E, the multiple-scattering loss; y is the
 // part of E weighted by Schlick's (1 - cosine)^5. Fitted to integrals of the lobe: within 0.0055
@@ -122,14 +140,20 @@ Grain grainOf(float rough, TONE along, TONE aside, TONE mean)
 // 0.001 (tests/fits/diffuse.c prints the polynomials).
 TONE grainLost(Grain g, float cosine)
 {
-    float x = 1.0 - cosine, even = x * (0.0513992761 + x * (0.522664541 + x * (-0.380763677 + x * 0.0949094912)));
+    float x = 1.0 - cosine, even =
+        x * (0.0513992761 + x * (0.522664541 + x * (-0.380763677 + x * 0.0949094912)));
     float tilted = x * (0.0213192591 + x * (0.212938029 + x * (-0.0119260548 - x * 0.0215686333)));
-    float grazing = x * (0.000861711141 + x * (0.0627187395 + x * (-0.0857491434 + x * 0.11174924)));
-    return max(1.0 - g.once * (1.0 + g.rough * (g.high * even - g.tilt * tilted - g.low * grazing)), TONE(0.0));
+    float grazing = x * (0.000861711141 +
+        x * (0.0627187395 + x * (-0.0857491434 + x * 0.11174924)));
+    return max(1.0 - g.once * (1.0 + g.rough * (g.high * even - g.tilt * tilted - g.low * grazing)),
+        TONE(0.0));
 }
 
 // Returns the color of the light scattered repeatedly within, over the mean single-scattering loss.
-vec3 grainAgain(Grain g, vec3 color) { return color * color * g.all / ((1.0 - color * (1.0 - g.all)) * (1.0 - g.all)); }
+vec3 grainAgain(Grain g, vec3 color)
+{
+    return color * color * g.all / ((1.0 - color * (1.0 - g.all)) * (1.0 - g.all));
+}
 
 // Returns the reflection from l toward v, relative to that of a Lambertian base of color 1.
 vec3 grained(Grain g, vec3 color, vec3 again, float between, vec2 cosines, TONE lost)
@@ -151,8 +175,10 @@ struct Film {
 // prints the numbers.
 vec3 filmResponse(float path)
 {
-    vec4 bells = exp(-path * path * vec4(0.273996, 0.440534, 0.0788179, 0.247647)) * cos(path * vec4(10.4149, 11.0117, 9.48353, 13.9191));
-    return vec3(dot(bells, vec4(3.38975, -2.03478, -0.416253, 0.0612871)), dot(bells, vec4(-1.63704, 2.69789, 0.0687109, -0.129548)),
+    vec4 bells = exp(-path * path * vec4(0.273996, 0.440534, 0.0788179, 0.247647)) *
+        cos(path * vec4(10.4149, 11.0117, 9.48353, 13.9191));
+    return vec3(dot(bells, vec4(3.38975, -2.03478, -0.416253, 0.0612871)),
+        dot(bells, vec4(-1.63704, 2.69789, 0.0687109, -0.129548)),
                 dot(bells, vec4(0.0874771, -0.257019, 0.00607568, 1.16348)));
 }
 
@@ -162,7 +188,8 @@ vec3 filmResponse(float path)
 vec3 filmSum(float a, vec3 b, vec3 once, vec3 twice, vec3 thrice)
 {
     vec3 q = a * b;
-    return 1.0 - (1.0 - a * a) * (1.0 - b * b) / max(1.0 - q * q, 1e-6) * (1.0 + 2.0 * q * (q * (twice - q * thrice) - once));
+    return 1.0 - (1.0 - a * a) * (1.0 - b * b) / max(1.0 - q * q, 1e-6) *
+        (1.0 + 2.0 * q * (q * (twice - q * thrice) - once));
 }
 
 // Returns the reflectance of a film on a base at an angle. The base is given by its reflectance at
@@ -174,10 +201,14 @@ vec3 filmReflected(Film film, float cosine, vec3 base)
     float sine2 = 1.0 - cosine * cosine, inner2 = 1.0 - sine2 / (film.ior * film.ior), n = film.ior;
     if (inner2 <= 0.0) return vec3(1.0);
     float inner = sqrt(inner2), path = film.path * inner;
-    vec3 root = sqrt(clamp(base, 0.0, 0.9998)), index = (1.0 + root) / (1.0 - root), deep = sqrt(1.0 - sine2 / (index * index));
-    vec3 once = filmResponse(path), twice = filmResponse(2.0 * path), thrice = filmResponse(3.0 * path);
-    vec3 across = filmSum((cosine - n * inner) / (cosine + n * inner), (n * inner - index * deep) / (n * inner + index * deep), once, twice, thrice);
-    vec3 along = filmSum((n * cosine - inner) / (n * cosine + inner), (index * inner - n * deep) / (index * inner + n * deep), once, twice, thrice);
+    vec3 root = sqrt(clamp(base, 0.0, 0.9998)), index = (1.0 + root) / (1.0 - root),
+        deep = sqrt(1.0 - sine2 / (index * index));
+    vec3 once = filmResponse(path), twice = filmResponse(2.0 * path),
+        thrice = filmResponse(3.0 * path);
+    vec3 across = filmSum((cosine - n * inner) / (cosine + n * inner),
+        (n * inner - index * deep) / (n * inner + index * deep), once, twice, thrice);
+    vec3 along = filmSum((n * cosine - inner) / (n * cosine + inner),
+        (index * inner - n * deep) / (index * inner + n * deep), once, twice, thrice);
     return clamp(0.5 * (across + along), 0.0, 1.0);
 }
 
@@ -187,7 +218,8 @@ vec3 filmReflected(Film film, float cosine, vec3 base)
 // angle.
 vec2 filmAngles(float cosine, float alpha)
 {
-    float alpha2 = alpha * alpha, along = cosine * (1.0 - alpha * (0.19 - 0.09 * alpha)), spread = alpha / (alpha + 0.15) * (0.33 - 0.25 * cosine);
+    float alpha2 = alpha * alpha, along = cosine * (1.0 - alpha * (0.19 - 0.09 * alpha)),
+        spread = alpha / (alpha + 0.15) * (0.33 - 0.25 * cosine);
     float mean = sqrt(along * along + (1.0 - cosine * cosine) * 0.548 * alpha2 / (alpha2 + 0.146));
     return clamp(mean + spread * vec2(-1.0, 1.15), 0.0, 1.0);
 }
@@ -216,7 +248,8 @@ vec3 filmedOf(Film film, vec2 albedo, vec2 at, float reflectance, vec3 again)
 {
     vec3 plain = reflectedOf(albedo, reflectance, again);
     if (film.weight <= 0.0) return plain;
-    return mix(plain, (1.0 - albedo.x) * filmAround(film, at.x, at.y, vec3(reflectance)) + albedo.x * again, film.weight);
+    return mix(plain, (1.0 - albedo.x) * filmAround(film, at.x, at.y, vec3(reflectance)) +
+        albedo.x * again, film.weight);
 }
 #endif
 
@@ -234,7 +267,10 @@ float holesOf(Surface s)
 }
 
 // Returns cosine (1 + 2 Lambda) of Smith's masking, by the direction's cosine.
-float maskedOf(float alpha, float cosine) { return sqrt(alpha * alpha + (1.0 - alpha * alpha) * cosine * cosine); }
+float maskedOf(float alpha, float cosine)
+{
+    return sqrt(alpha * alpha + (1.0 - alpha * alpha) * cosine * cosine);
+}
 
 // Returns GGX's lobe with Smith's height-correlated masking and a Fresnel term of 1, divided by 4
 // times the eye's cosine; h is the half vector, and `eye` the eye's cosine and its maskedOf().
@@ -253,12 +289,21 @@ float facets(float alpha, vec3 normal, vec3 h, float cosine, vec2 eye)
 // same transmittance, which counts once; for diffuse reflection it is the product of both over the
 // mean. A rough mirror is in between, by evenOf(); its missing energy is spread, see below(). For
 // the eye, x is its transmittance, and y veiled() of it.
-float veil(float through, vec2 eye, float mean, float even) { return through * eye.x * inversesqrt(max(mix(through, mean, even) * eye.y, 1e-8)); }
+float veil(float through, vec2 eye, float mean, float even)
+{
+    return through * eye.x * inversesqrt(max(mix(through, mean, even) * eye.y, 1e-8));
+}
 
 // Returns the share of diffuse behavior, by roughness and angle: grazing light is spread most.
-float evenOf(float rough, float cosine) { return 0.86 * smoothstep(0.05, 0.35 + 0.9 * sqrt(cosine), rough); }
+float evenOf(float rough, float cosine)
+{
+    return 0.86 * smoothstep(0.05, 0.35 + 0.9 * sqrt(cosine), rough);
+}
 
-vec2 veiled(float through, float mean, float rough, float cosine) { return vec2(through, mix(through, mean, evenOf(rough, cosine))); }
+vec2 veiled(float through, float mean, float rough, float cosine)
+{
+    return vec2(through, mix(through, mean, evenOf(rough, cosine)));
+}
 #endif
 
 #ifdef LIT_COAT
@@ -300,12 +345,18 @@ Row coatSpread(float rough, float share)
 {
     vec4 p = share * vec4(1.0, rough, rough * rough, rough * rough * rough);
     vec2 q = p.zw * rough * rough;
-    return Row(vec4(dot(p, vec4(-0.00131019374, -0.417850086, 4.05985137, -11.3097669)) + dot(q, vec2(12.3165997, -4.62772364)),
-                    dot(p, vec4(0.0231361444, 2.69628641, -39.5246106, 130.809179)) + dot(q, vec2(-157.970545, 63.9086731)),
-                    dot(p, vec4(-0.454077749, 9.82565964, 32.1286548, -272.806508)) + dot(q, vec2(431.530642, -200.272582)),
-                    dot(p, vec4(0.982518578, -45.3147833, 165.039668, -29.7389878)) + dot(q, vec2(-294.584078, 204.266698))),
-               vec2(dot(p, vec4(-0.42677792, 48.1933106, -273.419571, 389.066021)) + dot(q, vec2(-120.234328, -44.1919578)),
-                    dot(p, vec4(-0.136481722, -14.6603853, 109.882595, -201.799877)) + dot(q, vec2(124.772386, -17.5993762))));
+    return Row(vec4(dot(p, vec4(-0.00131019374, -0.417850086, 4.05985137, -11.3097669)) +
+        dot(q, vec2(12.3165997, -4.62772364)),
+                    dot(p, vec4(0.0231361444, 2.69628641, -39.5246106, 130.809179)) +
+                        dot(q, vec2(-157.970545, 63.9086731)),
+                    dot(p, vec4(-0.454077749, 9.82565964, 32.1286548, -272.806508)) +
+                        dot(q, vec2(431.530642, -200.272582)),
+                    dot(p, vec4(0.982518578, -45.3147833, 165.039668, -29.7389878)) +
+                        dot(q, vec2(-294.584078, 204.266698))),
+               vec2(dot(p, vec4(-0.42677792, 48.1933106, -273.419571, 389.066021)) +
+                   dot(q, vec2(-120.234328, -44.1919578)),
+                    dot(p, vec4(-0.136481722, -14.6603853, 109.882595, -201.799877)) +
+                        dot(q, vec2(124.772386, -17.5993762))));
 }
 #endif
 
@@ -338,7 +389,8 @@ float fuzzAlbedo(float cosine, float rough)
 float fibres(float rough, float high, float cosine, float eye)
 {
     float power = 0.5 / rough;
-    return 0.5 * cosine * (1.0 + power) * pow(max(1.0 - high * high, 1e-6), power) / (2.0 * (cosine + eye - cosine * eye));
+    return 0.5 * cosine * (1.0 + power) * pow(max(1.0 - high * high, 1e-6), power) /
+        (2.0 * (cosine + eye - cosine * eye));
 }
 
 // Returns the lost share like coatSpread(), below fuzz.
@@ -346,12 +398,18 @@ Row fuzzSpread(float rough, float share)
 {
     vec4 p = share * vec4(1.0, rough, rough * rough, rough * rough * rough);
     vec2 q = p.zw * rough * rough;
-    return Row(vec4(dot(p, vec4(-0.00116753484, -0.669510384, 5.6480139, -14.9195274)) + dot(q, vec2(15.9246078, -5.96829246)),
-                    dot(p, vec4(0.12343559, 3.77617984, -43.3263677, 131.639497)) + dot(q, vec2(-153.826232, 61.7059045)),
-                    dot(p, vec4(-1.15076841, 8.81013093, 44.2862562, -267.583535)) + dot(q, vec2(394.602461, -179.476676)),
-                    dot(p, vec4(2.81994723, -49.2486912, 133.70156, -7.44530449)) + dot(q, vec2(-241.921602, 163.174069))),
-               vec2(dot(p, vec4(-2.46870407, 56.438446, -236.087556, 329.347657)) + dot(q, vec2(-133.889061, -14.3506012)),
-                    dot(p, vec4(0.666573359, -18.7508442, 93.3375412, -164.595544)) + dot(q, vec2(112.207302, -22.5091751))));
+    return Row(vec4(dot(p, vec4(-0.00116753484, -0.669510384, 5.6480139, -14.9195274)) +
+        dot(q, vec2(15.9246078, -5.96829246)),
+                    dot(p, vec4(0.12343559, 3.77617984, -43.3263677, 131.639497)) +
+                        dot(q, vec2(-153.826232, 61.7059045)),
+                    dot(p, vec4(-1.15076841, 8.81013093, 44.2862562, -267.583535)) +
+                        dot(q, vec2(394.602461, -179.476676)),
+                    dot(p, vec4(2.81994723, -49.2486912, 133.70156, -7.44530449)) +
+                        dot(q, vec2(-241.921602, 163.174069))),
+               vec2(dot(p, vec4(-2.46870407, 56.438446, -236.087556, 329.347657)) +
+                   dot(q, vec2(-133.889061, -14.3506012)),
+                    dot(p, vec4(0.666573359, -18.7508442, 93.3375412, -164.595544)) +
+                        dot(q, vec2(112.207302, -22.5091751))));
 }
 #endif
 
@@ -367,7 +425,8 @@ Row fuzzSpread(float rough, float share)
 //   by 1.1.
 mat3 areaMicrofacets(float rough, vec3 normal, vec3 eye)
 {
-    float cosine = clamp(dot(normal, eye), 1e-3, 1.0), alpha = rough * rough, x = cosine * (1.0 + alpha) / (cosine + alpha);
+    float cosine = clamp(dot(normal, eye), 1e-3, 1.0), alpha = rough * rough,
+        x = cosine * (1.0 + alpha) / (cosine + alpha);
     vec4 p;
     p = vec4(38.927, -31.9992, 5.0907, -28.7535) +
               rough * (vec4(-172.174, 11.9175, 181.233, -127.096) +
@@ -409,9 +468,13 @@ mat3 areaMicrofacets(float rough, vec3 normal, vec3 eye)
     float turn = alpha * p.w; // angle from the mirrored direction upwards
     vec3 flat_ = eye - dot(normal, eye) * normal;
     float sine = length(flat_);
-    vec3 along = sine > 1e-4 ? flat_ / sine : normalize(abs(normal.z) < 0.7 ? cross(normal, vec3(0.0, 0.0, 1.0)) : cross(normal, vec3(1.0, 0.0, 0.0)));
-    float up = cosine * cos(turn) + sine * sin(turn), beside = sine * cos(turn) - cosine * sin(turn);
-    vec3 z = up * normal - beside * along, across = up * along + beside * normal, y = cross(normal, along);
+    vec3 along = sine > 1e-4 ? flat_ / sine
+        : normalize(abs(normal.z) < 0.7 ? cross(normal, vec3(0.0, 0.0, 1.0))
+        : cross(normal, vec3(1.0, 0.0, 0.0)));
+    float up = cosine * cos(turn) + sine * sin(turn), beside = sine * cos(turn) -
+        cosine * sin(turn);
+    vec3 z = up * normal - beside * along, across = up * along + beside * normal,
+        y = cross(normal, along);
     return transpose(mat3((across - m.z * z) / m.x, y / m.y, z));
 }
 #endif

@@ -86,7 +86,8 @@ vec3 surfaceLobe(Lit m, vec3 l)
 vec3 surfaceSky(Lit m)
 {
     vec3 sum = m.diffuse * skyIrradiance(m.normal);
-    if (any(greaterThan(m.specular, vec3(0.0)))) sum += m.specular * skyLobe(m.normal, m.reflected, m.shininess);
+    if (any(greaterThan(m.specular, vec3(0.0))))
+        sum += m.specular * skyLobe(m.normal, m.reflected, m.shininess);
     if (any(greaterThan(m.behind, vec3(0.0)))) sum += m.behind * skyIrradiance(-m.normal);
     return sum;
 }
@@ -95,7 +96,8 @@ vec3 surfaceSky(Lit m)
 #ifdef LIGHT_HAS_HEMISPHERE
 vec3 surfaceHemisphere(Lit m)
 {
-    return (m.diffuse + m.ambient) * hemisphereMatt(m.normal) + m.specular * hemisphereMirrored(m.reflected) +
+    return (m.diffuse + m.ambient) * hemisphereMatt(m.normal) +
+        m.specular * hemisphereMirrored(m.reflected) +
            m.behind * hemisphereMatt(-m.normal);
 }
 #endif
@@ -106,7 +108,8 @@ vec3 surfaceHemisphere(Lit m)
 int surfaceAreaSides(Lit m) { return surfaceLetsThrough(m) ? 2 : 1; }
 AreaSide surfaceAreaSide(Lit m, int i)
 {
-    if (i == 0) return areaPowers(m.normal, m.diffuse, m.specular, m.reflected, m.normal, m.shininess);
+    if (i == 0)
+        return areaPowers(m.normal, m.diffuse, m.specular, m.reflected, m.normal, m.shininess);
     vec3 on = reflect(m.reflected, m.normal);
     return areaPowers(-m.normal, m.behind, m.through, on, on, max(m.straightness - 1.0, 0.0));
 }

@@ -109,9 +109,15 @@ float fuzzThrough(Lit m, float cosine) { return 1.0 - m.fuzz * fuzzAlbedo(cosine
 #ifdef LIT_COAT
 // Returns the directional albedo of the coat; light that it reflects more than once goes to the
 // layer below.
-float coatAlbedo(vec2 albedo, float reflectance) { return mix(albedo.y, 1.0 - albedo.x, reflectance); }
+float coatAlbedo(vec2 albedo, float reflectance)
+{
+    return mix(albedo.y, 1.0 - albedo.x, reflectance);
+}
 
-float coatThrough(Lit m, float cosine) { return 1.0 - m.coat * coatAlbedo(albedo(cosine, m.coatMicrofacets), m.coatReflectance); }
+float coatThrough(Lit m, float cosine)
+{
+    return 1.0 - m.coat * coatAlbedo(albedo(cosine, m.coatMicrofacets), m.coatReflectance);
+}
 
 void litCoat(Surface s, inout Lit m)
 {
@@ -131,7 +137,8 @@ void litCoat(Surface s, inout Lit m)
     m.coatMean = 0.0;
     m.layered = m.coat > 0.0;
     m.coatSpecular = m.kept * (1.0 - m.coatOfEye);
-    float smoother = 1.0 - m.coatMicrofacets.rough * m.coatMicrofacets.rough, smoother2 = smoother * smoother;
+    float smoother = 1.0 - m.coatMicrofacets.rough * m.coatMicrofacets.rough,
+        smoother2 = smoother * smoother;
     // 1 for a smooth coat of index 1.6
     float share = m.coat * (1.0 - m.coatReflectance) * smoother2 * smoother2 * smoother * 1.0563;
     m.spread = coatSpread(m.facets.rough, share);
@@ -195,7 +202,8 @@ vec4 below(Lit m, float cosine, float ofCoat, float loss)
 // least, so that a rough mirror loses up to 2.75 times as much.
 vec2 strayed(Lit m, float stray, vec2 own)
 {
-    return stray * vec2(1.0, m.multipleScatteringMore * mix(own.y / max(1.0 - own.x, 1e-3), 1.0, m.reflectance));
+    return stray * vec2(1.0, m.multipleScatteringMore *
+        mix(own.y / max(1.0 - own.x, 1e-3), 1.0, m.reflectance));
 }
 #endif
 
@@ -204,7 +212,8 @@ vec2 strayed(Lit m, float stray, vec2 own)
 // `meanMultipleScattering` of strayed().
 void litMeans(inout Lit m, out vec3 mean, out vec3 left, out vec2 meanMultipleScattering)
 {
-    const vec3 PLACE = vec3(0.0337652429, 0.1693953068, 0.380690407), WEIGHT = vec3(0.0856622462, 0.1803807865, 0.2339569673);
+    const vec3 PLACE = vec3(0.0337652429, 0.1693953068, 0.380690407),
+        WEIGHT = vec3(0.0856622462, 0.1803807865, 0.2339569673);
     mean = left = vec3(0.0);
 #ifdef LIT_FILM
     m.filmMean = m.metalFilmMean = m.filmLeft = vec3(0.0);
@@ -214,7 +223,8 @@ void litMeans(inout Lit m, out vec3 mean, out vec3 left, out vec2 meanMultipleSc
     m.multipleScatteringMore = 1.0 + 1.75 * smoothstep(0.15, 0.4, m.facets.rough);
 #endif
     for (int i = 0; i < 6; i++) {
-        float t = i < 3 ? PLACE[i] : 1.0 - PLACE[5 - i], share = 4.0 * WEIGHT[i < 3 ? i : 5 - i] * t * t * t;
+        float t = i < 3 ? PLACE[i] : 1.0 - PLACE[5 - i],
+            share = 4.0 * WEIGHT[i < 3 ? i : 5 - i] * t * t * t;
         vec3 own = share * vec3(1.0, baseAround(m, t * t));
         mean += own;
 #ifdef LIT_FILM
@@ -259,7 +269,8 @@ TONE comesToBase(Lit m, float cosine)
 // Returns the reflection of uniform light, relative to that of a Lambertian base.
 vec3 litGrain(Surface s, TONE meanBase, inout Lit m)
 {
-    m.grain = grainOf(clamp(s.diffuseRoughness, 0.0, 1.0), comesToBase(m, 1.0), comesToBase(m, 0.25), meanBase);
+    m.grain = grainOf(clamp(s.diffuseRoughness, 0.0, 1.0), comesToBase(m, 1.0),
+        comesToBase(m, 0.25), meanBase);
     TONE lost = grainLost(m.grain, m.cosine);
     m.grainAgain = grainAgain(m.grain, m.base) * lost;
     return m.base * (1.0 - lost) + m.grainAgain * (1.0 - m.grain.all);
@@ -358,7 +369,8 @@ Lit surfaceLit(Surface s, vec3 toEye)
         m.dip * (m.cosine * rest3 * rest3 * (1.0 - eye.x));
 #ifdef LIT_FILM
     if (m.film.weight > 0.0 && m.metal > 0.0)
-        ofMetal = mix(ofMetal, (1.0 - eye.x) * filmAround(m.film, m.cosine, m.alpha, m.base) + eye.x * m.metalAgain, m.film.weight);
+        ofMetal = mix(ofMetal, (1.0 - eye.x) * filmAround(m.film, m.cosine, m.alpha, m.base) +
+            eye.x * m.metalAgain, m.film.weight);
 #endif
 #ifdef LIT_GRAIN
     vec3 sent = litGrain(s, meanBase, m);
@@ -386,7 +398,9 @@ Lit surfaceLit(Surface s, vec3 toEye)
 #endif
     m.specular *= layers.z;
 #ifdef LIGHT_HAS_SKY
-    m.specularRescattered = m.specularRescattered * layers.z + m.kept * (m.multipleScatteringOfEye.x * m.metalBounce + m.multipleScatteringOfEye.y * m.dielectricBounce);
+    m.specularRescattered = m.specularRescattered * layers.z +
+        m.kept * (m.multipleScatteringOfEye.x * m.metalBounce +
+        m.multipleScatteringOfEye.y * m.dielectricBounce);
 #endif
     m.emissive *= layers.z;
     m.lossRatio *= layers.z;

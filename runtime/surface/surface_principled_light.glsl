@@ -22,7 +22,10 @@ vec3 evenFromBehind(Lit m)
 #endif
 }
 
-vec3 surfaceAmbient(Lit m, vec3 ambient) { return (m.even + evenFromBehind(m) + glossAround(m)) * ambient; }
+vec3 surfaceAmbient(Lit m, vec3 ambient)
+{
+    return (m.even + evenFromBehind(m) + glossAround(m)) * ambient;
+}
 vec3 surfaceEven(Lit m) { return m.even; }
 
 // Returns the surface without specular reflection: the dielectric loses its tint, and the metal its
@@ -78,7 +81,8 @@ vec3 surfaceLobe(Lit m, vec3 l)
     float square = max(dot(between, between), 1e-12), over = inversesqrt(square);
     vec3 h = between * over;
     // l.h is half of the length of l + v
-    float facing = min(0.5 * square * over, 1.0), rest = 1.0 - facing, rest2 = rest * rest, rest5 = rest2 * rest2 * rest;
+    float facing = min(0.5 * square * over, 1.0), rest = 1.0 - facing, rest2 = rest * rest,
+        rest5 = rest2 * rest2 * rest;
 #ifdef LIT_ANISOTROPY
     float once = microfacetsAlong(m.anisotropy, m.normal, l, h, cosine, vec2(m.cosine, m.masked));
 #else
@@ -98,12 +102,14 @@ vec3 surfaceLobe(Lit m, vec3 l)
         again *= layers.z;
 #ifdef LIT_COAT
         once *= (1.0 - m.stray) * veil(layers.x, m.coatVeil, m.coatMean, even);
-        float shine = m.coatShine * facets(m.coatAlpha, m.coatNormal, h, ofCoat, vec2(m.coatCosine, m.coatMasked)) * mix(rest5, 1.0, m.coatReflectance);
+        float shine = m.coatShine * facets(m.coatAlpha, m.coatNormal, h, ofCoat,
+            vec2(m.coatCosine, m.coatMasked)) * mix(rest5, 1.0, m.coatReflectance);
 #ifdef LIT_COAT_NORMAL
         shine = dot(m.coatNormal, l) > 0.0 ? shine : 0.0;
 #endif
 #ifdef LIT_FUZZ
-        shine *= veil(layers.y, m.fuzzCoatVeil, m.fuzzMean, evenOf(m.coatMicrofacets.rough, ofCoat));
+        shine *= veil(layers.y, m.fuzzCoatVeil, m.fuzzMean,
+            evenOf(m.coatMicrofacets.rough, ofCoat));
 #endif
         above = vec3(shine);
 #endif
@@ -122,11 +128,13 @@ vec3 surfaceLobe(Lit m, vec3 l)
     }
 #endif
 #ifdef LIT_GRAIN
-    vec3 sent = (1.0 - m.metal) * grained(m.grain, m.base, m.grainAgain, dot(l, m.toEye), vec2(cosine, m.cosine), grainLost(m.grain, cosine));
+    vec3 sent = (1.0 - m.metal) * grained(m.grain, m.base, m.grainAgain, dot(l, m.toEye),
+        vec2(cosine, m.cosine), grainLost(m.grain, cosine));
 #else
     vec3 sent = (1.0 - m.metal) * m.base;
 #endif
-    vec3 sum = matt * sent + again * mix(m.again * m.tint, m.metalAgain, m.metal) + once * (((1.0 - m.metal) * m.tint) * mirrored + m.metal * fresnel);
+    vec3 sum = matt * sent + again * mix(m.again * m.tint, m.metalAgain, m.metal) +
+        once * (((1.0 - m.metal) * m.tint) * mirrored + m.metal * fresnel);
 #ifdef LIT_LAYERS
     sum += stray.x * m.metalBounce + stray.y * m.dielectricBounce;
 #ifdef LIT_COAT
@@ -146,7 +154,8 @@ struct SkyMicrofacets {
 
 SkyMicrofacets skyMicrofacetsEven(vec3 normal, float alpha)
 {
-    vec3 aside = normalize(abs(normal.z) < 0.7 ? cross(normal, vec3(0.0, 0.0, 1.0)) : cross(normal, vec3(1.0, 0.0, 0.0)));
+    vec3 aside = normalize(abs(normal.z) < 0.7 ? cross(normal, vec3(0.0, 0.0, 1.0))
+        : cross(normal, vec3(1.0, 0.0, 0.0)));
     return SkyMicrofacets(mat3(aside, cross(normal, aside), normal), vec2(alpha));
 }
 
@@ -166,7 +175,8 @@ vec3 skySent(SkyMicrofacets f, vec3 toEye, vec3 low, vec3 high)
     vec3 w = wide / seen;
     float share = 2.0 * SKY_PI * f.widths.x * f.widths.y * (v.z + seen) / float(SKY_SAMPLES);
     for (int i = 0; i < SKY_SAMPLES; i++) {
-        float z = 1.0 - (float(i) + 0.5) / float(SKY_SAMPLES) * (1.0 + w.z), turn = 2.3999632 * float(i), flat_ = sqrt(max(1.0 - z * z, 0.0));
+        float z = 1.0 - (float(i) + 0.5) / float(SKY_SAMPLES) * (1.0 + w.z),
+            turn = 2.3999632 * float(i), flat_ = sqrt(max(1.0 - z * z, 0.0));
         vec3 cap = vec3(flat_ * cos(turn), flat_ * sin(turn), z) + w;
         vec3 h = normalize(vec3(f.widths * cap.xy, max(cap.z, 1e-6)));
         float facing = clamp(dot(v, h), 0.0, 1.0);
@@ -187,20 +197,25 @@ vec3 skySent(SkyMicrofacets f, vec3 toEye, vec3 low, vec3 high)
 // that layers spread, count as diffuse.
 vec3 surfaceSky(Lit m)
 {
-    vec3 sum = (m.even + m.specularRescattered) * skyIrradiance(m.normal), once = m.specular - m.specularRescattered;
+    vec3 sum = (m.even + m.specularRescattered) * skyIrradiance(m.normal),
+        once = m.specular - m.specularRescattered;
     if (any(greaterThan(once, vec3(0.0)))) {
 #ifdef LIT_ANISOTROPY
-        SkyMicrofacets facets = SkyMicrofacets(mat3(m.anisotropy.along, m.anisotropy.across, m.normal), m.anisotropy.widths);
+        SkyMicrofacets facets = SkyMicrofacets(mat3(m.anisotropy.along, m.anisotropy.across,
+            m.normal), m.anisotropy.widths);
 #else
         SkyMicrofacets facets = skyMicrofacetsEven(m.normal, m.alpha);
 #endif
-        sum += once * skySent(facets, m.toEye, mix(m.tint * m.reflectance, m.base, m.metal), mix(m.tint, vec3(1.0), m.metal));
+        sum += once * skySent(facets, m.toEye, mix(m.tint * m.reflectance, m.base, m.metal),
+            mix(m.tint, vec3(1.0), m.metal));
     }
 #ifdef LIT_BEHIND
     if (any(greaterThan(m.evenBehind, vec3(0.0)))) sum += m.evenBehind * skyIrradiance(-m.normal);
 #endif
 #ifdef LIT_COAT
-    if (m.coatSpecular > 0.0) sum += m.coatSpecular * skySent(skyMicrofacetsEven(m.coatNormal, m.coatAlpha), m.toEye, vec3(m.coatReflectance), vec3(1.0));
+    if (m.coatSpecular > 0.0)
+        sum += m.coatSpecular * skySent(skyMicrofacetsEven(m.coatNormal, m.coatAlpha), m.toEye,
+            vec3(m.coatReflectance), vec3(1.0));
 #endif
     return sum;
 }
@@ -209,7 +224,8 @@ vec3 surfaceSky(Lit m)
 #ifdef LIGHT_HAS_HEMISPHERE
 vec3 surfaceHemisphere(Lit m)
 {
-    vec3 sum = m.even * hemisphereMatt(m.normal) + evenFromBehind(m) * hemisphereMatt(-m.normal) + m.specular * hemisphereMirrored(m.reflected);
+    vec3 sum = m.even * hemisphereMatt(m.normal) + evenFromBehind(m) * hemisphereMatt(-m.normal) +
+        m.specular * hemisphereMirrored(m.reflected);
 #ifdef LIT_COAT
     sum += m.coatSpecular * hemisphereMirrored(reflect(-m.toEye, m.coatNormal));
 #endif
@@ -235,13 +251,16 @@ int surfaceAreaSides(Lit m)
 AreaSide surfaceAreaSide(Lit m, int i)
 {
 #ifdef LIT_BEHIND
-    if (i > 1 && i + 1 == surfaceAreaSides(m) && any(greaterThan(m.evenBehind, vec3(0.0)))) return areaPowers(-m.normal, m.evenBehind, vec3(0.0), -m.normal, -m.normal, 0.0);
+    if (i > 1 && i + 1 == surfaceAreaSides(m) && any(greaterThan(m.evenBehind, vec3(0.0))))
+        return areaPowers(-m.normal, m.evenBehind, vec3(0.0), -m.normal, -m.normal, 0.0);
 #endif
-    AreaSide side = areaPowers(m.normal, i == 0 ? m.even : m.specular, vec3(0.0), m.normal, m.normal, i == 0 ? 0.0 : -1.0);
+    AreaSide side = areaPowers(m.normal, i == 0 ? m.even : m.specular, vec3(0.0), m.normal,
+        m.normal, i == 0 ? 0.0 : -1.0);
     side.into = m.roughnessInto;
 #ifdef LIT_COAT
     if (i == 2) {
-        side = areaPowers(m.coatNormal, vec3(m.coatSpecular), vec3(0.0), m.coatNormal, m.coatNormal, -1.0);
+        side = areaPowers(m.coatNormal, vec3(m.coatSpecular), vec3(0.0), m.coatNormal, m.coatNormal,
+            -1.0);
         side.into = m.coatInto;
     }
 #endif

@@ -23,7 +23,8 @@ vec3 notReflected(Surface s, vec3 toEye)
     if (s.coat > 0.0) {
         Coat coat = coatOf(s);
         float ofCoat = clamp(abs(dot(coatNormalOf(s, s.normal), toEye)), 1e-3, 1.0);
-        left *= coat.tint * (1.0 - min(s.coat, 1.0) * coatAlbedo(albedo(ofCoat, roughnessOf(coat.rough)), coat.reflectance));
+        left *= coat.tint * (1.0 - min(s.coat, 1.0) *
+            coatAlbedo(albedo(ofCoat, roughnessOf(coat.rough)), coat.reflectance));
     }
 #endif
 #ifdef LIT_FUZZ

@@ -18,7 +18,10 @@ void main()
     if (number >= lists_capacity) return;
     uint at = lists_pixels + number * LISTS_STRIDE;
     uint packed_words[] = uint[](LISTS_PACK);
-    lists_words[at] = atomicExchange(lists_words[uint(gl_FragCoord.y) * lists_width + uint(gl_FragCoord.x)], number + 1u);
+    lists_words[at] =
+        atomicExchange(lists_words[uint(gl_FragCoord.y) * lists_width + uint(gl_FragCoord.x)],
+        number + 1u);
     lists_words[at + 1u] = floatBitsToUint(FRAGMENT_DEPTH);
-    for (int i = 0; i < packed_words.length(); i++) lists_words[at + 2u + uint(i)] = packed_words[i];
+    for (int i = 0; i < packed_words.length(); i++)
+        lists_words[at + 2u + uint(i)] = packed_words[i];
 }

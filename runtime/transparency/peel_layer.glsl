@@ -16,7 +16,8 @@ void main()
 {
     surfaceMain();
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    uvec2 key = uvec2(floatBitsToUint(FRAGMENT_DEPTH), uint(peel_object) * uint(peel_stride) * 256u + uint(gl_PrimitiveID));
+    uvec2 key = uvec2(floatBitsToUint(FRAGMENT_DEPTH),
+        uint(peel_object) * uint(peel_stride) * 256u + uint(gl_PrimitiveID));
     uvec2 behind = texelFetch(peel_behind, pixel, 0).xy;
     bool hidden = depthHidden(FRAGMENT_DEPTH, texelFetch(peel_depth, pixel, 0).x);
     bool is_behind = key.x > behind.x || (key.x == behind.x && key.y < behind.y);

@@ -112,7 +112,8 @@ uint bisectTask(uint group)
 {
 #ifdef BISECT_FEW // neighboring tasks go to different warps: divergent threads run in turn
     const uint STEP = BISECT_THREADS / 32u;
-    return BISECT_THREADS * group + gl_LocalInvocationIndex % 32u * STEP + gl_LocalInvocationIndex / 32u;
+    return BISECT_THREADS * group + gl_LocalInvocationIndex % 32u * STEP +
+        gl_LocalInvocationIndex / 32u;
 #else
     return BISECT_THREADS * group + gl_LocalInvocationIndex;
 #endif
@@ -143,14 +144,16 @@ uint bisectBlock(uint slot)
 uvec2 bisectIdAt(uint slot)
 {
     uint block = bisectBlock(slot);
-    return uvec2(bisect_leaves[block + (slot & 3u)], bisect_leaves[block + 4u] >> 8u * (slot & 3u) & 255u);
+    return uvec2(bisect_leaves[block + (slot & 3u)],
+        bisect_leaves[block + 4u] >> 8u * (slot & 3u) & 255u);
 }
 
 Leaf bisectLeaf(uint slot)
 {
     uvec2 id = bisectIdAt(slot);
     uint deviations = bisect_leaves[bisectBlock(slot) + 5u + (slot >> 1 & 1u)] >> 16u * (slot & 1u);
-    return Leaf(id.x & (1u << bisect_baseBits) - 1u, id.x >> bisect_baseBits | id.y << (32 - bisect_baseBits), deviations & 255u,
+    return Leaf(id.x & (1u << bisect_baseBits) - 1u,
+        id.x >> bisect_baseBits | id.y << (32 - bisect_baseBits), deviations & 255u,
                 deviations >> 8 & 255u);
 }
 
@@ -182,14 +185,16 @@ void bisectPut(uint slot, Leaf l)
 void bisectReplace(uint slot, Leaf had, Leaf l)
 {
     uvec2 id = bisectId(l.base, l.number);
-    uint block = bisectBlock(slot), low = block + (slot & 3u), high = bisectId(had.base, had.number).y ^ id.y;
+    uint block = bisectBlock(slot), low = block + (slot & 3u),
+        high = bisectId(had.base, had.number).y ^ id.y;
     if (high != 0u) {
         bisect_leaves[low] = BISECT_NONE;
         bisectFence();
         atomicXor(bisect_leaves[block + 4u], high << 8u * (slot & 3u));
         bisectFence();
     }
-    atomicXor(bisect_leaves[block + 5u + (slot >> 1 & 1u)], ((had.own ^ l.own) | (had.behind ^ l.behind) << 8) << 16u * (slot & 1u));
+    atomicXor(bisect_leaves[block + 5u + (slot >> 1 & 1u)],
+        ((had.own ^ l.own) | (had.behind ^ l.behind) << 8) << 16u * (slot & 1u));
     bisect_leaves[low] = id.x;
 }
 
@@ -198,12 +203,14 @@ void bisectReplace(uint slot, Leaf had, Leaf l)
 const uint BISECT_ALWAYS = 255u;
 uint bisectCode(float deviation)
 {
-    return deviation > 0.0 ? uint(clamp(round(8.0 * log2(deviation / bisect_worst)) + 254.0, 1.0, 254.0)) : 0u;
+    return deviation > 0.0
+        ? uint(clamp(round(8.0 * log2(deviation / bisect_worst)) + 254.0, 1.0, 254.0)) : 0u;
 }
 
 float bisectDeviation(uint code)
 {
-    return code == 0u ? 0.0 : code == BISECT_ALWAYS ? 1e30 : bisect_worst * exp2((float(code) - 254.0) / 8.0);
+    return code == 0u ? 0.0 : code == BISECT_ALWAYS ? 1e30
+        : bisect_worst * exp2((float(code) - 254.0) / 8.0);
 }
 
 uint bisectHash(uvec2 id)
@@ -228,7 +235,8 @@ uint bisectFind(uint base, uint number)
 {
     uvec2 id = bisectId(base, number);
     for (uint at = bisectHash(id);; at++) {
-        uint entry = bisect_table[at & ((1u << bisect_tableBits) - 1u)], slot = (entry & 0xFFFFFFu) - 1u;
+        uint entry = bisect_table[at & ((1u << bisect_tableBits) - 1u)],
+            slot = (entry & 0xFFFFFFu) - 1u;
         if (entry >> 24 != uint(bisect_stamp))
             return BISECT_NONE;
         if (bisectIdAt(slot) == id)
@@ -242,7 +250,8 @@ uvec2 bisectFindChildren(uint base, uint number)
 {
     uvec2 first = bisectId(base, 2u * number), second = bisectId(base, 2u * number + 1u);
     uint most = (1u << bisect_tableBits) - 1u;
-    uvec2 entry = uvec2(bisect_table[bisectHash(first) & most], bisect_table[bisectHash(second) & most]);
+    uvec2 entry = uvec2(bisect_table[bisectHash(first) & most],
+        bisect_table[bisectHash(second) & most]);
     uvec2 slot = min((entry & 0xFFFFFFu) - 1u, uvec2(bisect_capacity - 1)), there = entry >> 24;
     bool has_first = bisectIdAt(slot.x) == first, has_second = bisectIdAt(slot.y) == second;
     if (there.x != uint(bisect_stamp) || !has_first)
@@ -324,7 +333,8 @@ Ring bisectRing(uint base, uint number, Corners t)
         return Ring(BISECT_NONE, 1u, depth, 2 * (t.a + t.b) - t.c, 0);
     uint start = bisect_bases[BISECT_BASE * base + 1u + k], earlier = bisectEarlier(base, k);
     uint first = bisect_bases[start];
-    return Ring(first, bisect_bases[start + 1u] - first, depth - bisectLater(base, k), ivec3(0), t.a[earlier] + t.b[earlier]);
+    return Ring(first, bisect_bases[start + 1u] - first, depth - bisectLater(base, k), ivec3(0),
+        t.a[earlier] + t.b[earlier]);
 }
 
 // Finds member i of the ring, at the depth at which the ring's edge is its edge a b.

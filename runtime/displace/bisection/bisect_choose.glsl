@@ -40,7 +40,8 @@ void bisectTakeRing(uint slot, Leaf leaf, Ring ring, uint least)
 
 void bisectWantNext(uint slot)
 {
-    bisect_work[bisectWord(LIST_WANTED + 1u - bisect_state[SWAPPED], atomicAdd(bisect_state[WANTED_NEXT], 1u))] = slot;
+    bisect_work[bisectWord(LIST_WANTED + 1u - bisect_state[SWAPPED],
+        atomicAdd(bisect_state[WANTED_NEXT], 1u))] = slot;
 }
 
 void bisectChoose(uint group)
@@ -64,7 +65,8 @@ void bisectChoose(uint group)
             return;
         }
         bisectWantNext(slot);
-        if ((atomicOr(bisect_work[bisectWord(LIST_FLAGS, before)], FLAG_WANTED) & FLAG_WANTED) != 0u)
+        if ((atomicOr(bisect_work[bisectWord(LIST_FLAGS, before)],
+            FLAG_WANTED) & FLAG_WANTED) != 0u)
             return;
         slot = before;
         leaf = bisectLeaf(slot);

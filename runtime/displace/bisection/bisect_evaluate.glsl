@@ -4,14 +4,17 @@
 void bisectLook(uint slot)
 {
     Leaf leaf = bisectLeaf(slot);
-    uint at = bisectWord(LIST_FLAGS, slot), had = bisect_fresh != 0 ? 0u : bisect_work[at] & FLAG_LESS, flags = 0u;
+    uint at = bisectWord(LIST_FLAGS, slot), had = bisect_fresh != 0 ? 0u
+        : bisect_work[at] & FLAG_LESS, flags = 0u;
     if (leaf.number == 0u) {
         if (bisect_fresh != 0)
             bisect_work[bisectWord(LIST_FREE, atomicAdd(bisect_state[FREE], 1u))] = slot;
     } else {
         if (bisect_fresh != 0)
             bisectInsert(bisectId(leaf.base, leaf.number), slot);
-        Answers answers = bisectAnswers(Asked(slot, leaf, leaf, bisectCorners(leaf.base, leaf.number), (leaf.number & 1u) == 0u));
+        Answers answers =
+            bisectAnswers(Asked(slot, leaf, leaf, bisectCorners(leaf.base, leaf.number),
+            (leaf.number & 1u) == 0u));
         bisectDue(slot, answers);
         if (answers.own > 0.0) {
             flags = FLAG_WANTED;
@@ -59,7 +62,8 @@ void bisectStage(uint group)
     uint i = bisectTask(group);
     if (i >= BISECT_TILE * bisect_state[CHOSEN])
         return;
-    uint slot = BISECT_TILE * bisect_work[bisectWord(LIST_CHOSEN, i / BISECT_TILE)] + i % BISECT_TILE;
+    uint slot = BISECT_TILE * bisect_work[bisectWord(LIST_CHOSEN, i / BISECT_TILE)] +
+        i % BISECT_TILE;
     if (slot < bisect_state[HIGH])
         bisectLook(slot);
 }

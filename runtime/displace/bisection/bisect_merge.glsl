@@ -5,14 +5,16 @@
 bool bisectMay(uint base, uint number, out uvec2 children)
 {
     children = bisectFindChildren(base, number);
-    return children.x != BISECT_NONE && children.y != BISECT_NONE && (bisect_work[bisectWord(LIST_FLAGS, children.x)] & FLAG_LESS) != 0u;
+    return children.x != BISECT_NONE && children.y != BISECT_NONE &&
+        (bisect_work[bisectWord(LIST_FLAGS, children.x)] & FLAG_LESS) != 0u;
 }
 
 // Chooses a pair of children once, whichever leaf comes first. The slot of the second child is
 // stored in a list that is unused until leaves are bisected.
 void bisectTake(uvec2 children)
 {
-    if ((atomicOr(bisect_work[bisectWord(LIST_FLAGS, children.x)], FLAG_CHOSEN) & FLAG_CHOSEN) != 0u)
+    if ((atomicOr(bisect_work[bisectWord(LIST_FLAGS, children.x)],
+        FLAG_CHOSEN) & FLAG_CHOSEN) != 0u)
         return;
     uint i = atomicAdd(bisect_state[CHOSEN], 1u);
     bisect_work[bisectWord(LIST_CHOSEN, i)] = children.x;
@@ -30,7 +32,8 @@ void bisectMergeChoose(uint group)
     Leaf leaf = bisectLeaf(slot);
     uint number = leaf.number >> 1;
     uvec2 own, children;
-    Ring ring = bisectRing(leaf.base, number, bisectParent(leaf.number, bisectCorners(leaf.base, leaf.number)));
+    Ring ring = bisectRing(leaf.base, number,
+        bisectParent(leaf.number, bisectCorners(leaf.base, leaf.number)));
     bool may = bisectMay(leaf.base, number, own);
     for (uint n = 0u; n < ring.count && may; n++) {
         uint base = leaf.base, other;
@@ -54,7 +57,8 @@ void bisectMergeChoose(uint group)
 // child's slot becomes free. Puts a leaf into the next round's list of merges.
 void bisectAsk(uint slot)
 {
-    bisect_work[bisectWord(LIST_MERGING + 1u - bisect_state[SWAPPED], atomicAdd(bisect_state[MERGING_NEXT], 1u))] = slot;
+    bisect_work[bisectWord(LIST_MERGING + 1u - bisect_state[SWAPPED],
+        atomicAdd(bisect_state[MERGING_NEXT], 1u))] = slot;
 }
 
 // Puts a triangle's first child into the next round's list if it is a leaf that waits for its ring;
@@ -81,12 +85,14 @@ void bisectMergeRows(uint at, uint from)
     for (uint k = 0u; k < 3u * BISECT_ROW; k++)
         bisect_rows[at + k] = rows[k];
     for (uint k = 0u; k < 3u; k++)
-        bisect_rows[from + BISECT_ROW + k] = bisect_rows[from + 2u * BISECT_ROW + k] = rows[BISECT_ROW + k];
+        bisect_rows[from + BISECT_ROW + k] = bisect_rows[from + 2u * BISECT_ROW + k] =
+            rows[BISECT_ROW + k];
 }
 
 void bisectMergeBegin(uint i, out Asked a)
 {
-    uint slot = bisect_work[bisectWord(LIST_CHOSEN, i)], other = bisect_work[bisectWord(LIST_WANTED + 1u, i)];
+    uint slot = bisect_work[bisectWord(LIST_CHOSEN, i)],
+        other = bisect_work[bisectWord(LIST_WANTED + 1u, i)];
     Leaf first = bisectLeaf(slot), second = bisectLeaf(other);
     Leaf leaf = Leaf(first.base, first.number >> 1, first.behind, second.behind);
     a = Asked(slot, first, leaf, bisectCorners(leaf.base, leaf.number), (leaf.number & 1u) == 0u);
@@ -109,7 +115,8 @@ void bisectMergeEnd(Asked a, Answers answers)
     if (leaf.number == 1u || (a.even && !less))
         return; // no leaf waits for it: its ring is unchanged
     bisectAskAgain(leaf.base, leaf.number >> 1);
-    Ring ring = bisectRing(leaf.base, leaf.number >> 1, bisectParent(leaf.number, bisectCorners(leaf.base, leaf.number)));
+    Ring ring = bisectRing(leaf.base, leaf.number >> 1,
+        bisectParent(leaf.number, bisectCorners(leaf.base, leaf.number)));
     for (uint n = 0u; n < ring.count; n++) {
         uint base = leaf.base, number;
         bisectMember(ring, n, base, number);

@@ -34,7 +34,8 @@ void bisectNext(int step)
         uint live = bisect_state[HIGH] - bisect_state[FREE];
         if (step == 3 && live + chosen > uint(bisect_capacity))
             bisect_state[FULL] = 1u;
-        bisectSet(GROUPS_CHOSEN, bisect_state[FULL] != 0u ? 0u : chosen, step == 3 ? BISECT_SPLITS : BISECT_THREADS);
+        bisectSet(GROUPS_CHOSEN, bisect_state[FULL] != 0u ? 0u : chosen, step == 3 ? BISECT_SPLITS
+            : BISECT_THREADS);
         return;
     }
     bool merging = bisect_state[MERGED_ALL] == 0u;
@@ -55,7 +56,8 @@ void bisectNext(int step)
         bisect_state[SWAPPED] = 0u; // wanted leaves are still in the first of their lists
     }
     bisect_state[CHOSEN] = bisect_state[MERGING_NEXT] = bisect_state[WANTED_NEXT] = 0u;
-    bisectSet(GROUPS, bisect_state[FULL] != 0u ? 0u : bisect_state[bisect_state[MERGED_ALL] != 0u ? WANTED : MERGING], 64u);
+    bisectSet(GROUPS, bisect_state[FULL] != 0u ? 0u
+        : bisect_state[bisect_state[MERGED_ALL] != 0u ? WANTED : MERGING], 64u);
 }
 
 #ifndef BISECT_FEW
@@ -79,7 +81,8 @@ void main()
         BISECT_STAGE(group);
     memoryBarrierBuffer();
     barrier();
-    bool last = gl_LocalInvocationIndex == 0u && atomicAdd(bisect_state[DONE], 1u) == gl_NumWorkGroups.x - 1u;
+    bool last = gl_LocalInvocationIndex == 0u && atomicAdd(bisect_state[DONE], 1u) ==
+        gl_NumWorkGroups.x - 1u;
 #else
     BISECT_STAGE(gl_WorkGroupID.x);
     memoryBarrierBuffer();

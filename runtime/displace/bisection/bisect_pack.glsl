@@ -22,7 +22,8 @@ void main()
     bisectPut(slot, leaf);
     bisectPut(from, Leaf(0u, 0u, 0u, 0u));
     bisect_work[bisectWord(LIST_FLAGS, slot)] = bisect_work[bisectWord(LIST_FLAGS, from)];
-    atomicMin(bisect_work[bisectWord(LIST_DUE, slot / BISECT_TILE)], bisect_work[bisectWord(LIST_DUE, from / BISECT_TILE)]);
+    atomicMin(bisect_work[bisectWord(LIST_DUE, slot / BISECT_TILE)],
+        bisect_work[bisectWord(LIST_DUE, from / BISECT_TILE)]);
     bisectInsert(bisectId(leaf.base, leaf.number), slot);
 #endif
 }

@@ -5,7 +5,8 @@ uniform int bisect_fresh; // 1: no earlier view is known
 bool bisectIsDue(uint tile)
 {
     uint due = bisectWord(LIST_DUE, tile);
-    if (BISECT_TILE * tile >= bisect_state[HIGH] || (bisect_fresh == 0 && bisect_gone < uintBitsToFloat(bisect_work[due])))
+    if (BISECT_TILE * tile >= bisect_state[HIGH] ||
+        (bisect_fresh == 0 && bisect_gone < uintBitsToFloat(bisect_work[due])))
         return false;
     bisect_work[due] = floatBitsToUint(BISECT_SURE);
     return true;

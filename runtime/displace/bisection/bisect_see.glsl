@@ -40,7 +40,9 @@ mat3 bisectPart(uint base, uint part)
     uint at = BISECT_BASE * base + 4u + 9u * part;
     mat3 found;
     for (uint k = 0u; k < 3u; k++)
-        found[k] = vec3(uintBitsToFloat(bisect_bases[at + 3u * k]), uintBitsToFloat(bisect_bases[at + 3u * k + 1u]), uintBitsToFloat(bisect_bases[at + 3u * k + 2u]));
+        found[k] = vec3(uintBitsToFloat(bisect_bases[at + 3u * k]),
+            uintBitsToFloat(bisect_bases[at + 3u * k + 1u]),
+            uintBitsToFloat(bisect_bases[at + 3u * k + 2u]));
     return found;
 }
 
@@ -85,8 +87,10 @@ float bisectAway(BisectBase at, Corners t, vec4 eye, vec3 middle, vec3 extent)
     float far = length(abs(to) + extent * eye.w);
     for (int k = 0; k < bisect_closed; k++) {
         vec3 normal = bisectMixed(at.normals, k == 0 ? t.a : k == 1 ? t.b : t.c);
-        float longest = max(max(length(at.normals[0]), length(at.normals[1])), max(length(at.normals[2]), 1e-30));
-        away = min(away, (dot(normal, to) - dot(abs(normal), extent) * eye.w) / longest - BISECT_BEHIND * far);
+        float longest = max(max(length(at.normals[0]), length(at.normals[1])),
+            max(length(at.normals[2]), 1e-30));
+        away = min(away, (dot(normal, to) - dot(abs(normal), extent) * eye.w) / longest -
+            BISECT_BEHIND * far);
     }
     return away / (1.0 + BISECT_BEHIND);
 }
@@ -96,7 +100,8 @@ float bisectAway(BisectBase at, Corners t, vec4 eye, vec3 middle, vec3 extent)
 
 vec4 bisectStateFloats(uint at)
 {
-    return uintBitsToFloat(uvec4(bisect_work[at], bisect_work[at + 1u], bisect_work[at + 2u], bisect_work[at + 3u]));
+    return uintBitsToFloat(uvec4(bisect_work[at], bisect_work[at + 1u], bisect_work[at + 2u],
+        bisect_work[at + 3u]));
 }
 
 // (position, 1), or (direction toward the light, 0); `extent` is the half size of the light's
@@ -109,7 +114,9 @@ struct BisectLight {
 BisectLight bisectLight(uint i)
 {
     uint words = EXTENT + 3u * i;
-    return BisectLight(bisectStateFloats(LIGHT + 4u * i), uintBitsToFloat(uvec3(bisect_work[words], bisect_work[words + 1u], bisect_work[words + 2u])));
+    return BisectLight(bisectStateFloats(LIGHT + 4u * i),
+        uintBitsToFloat(uvec3(bisect_work[words], bisect_work[words + 1u],
+        bisect_work[words + 2u])));
 }
 
 // Returns the distance that rays through the box travel until they have left the bounds of shadow
@@ -121,12 +128,15 @@ float bisectLightReach(BisectLight from, vec3 middle, vec3 extent)
     vec3 low = bisectStateFloats(BOX).xyz, high = bisectStateFloats(BOX + 3u).xyz;
     float reach = 1e30;
     for (int k = 0; k < 3; k++) {
-        float below = light[k] * light.w + from.extent[k], above = light[k] * light.w - from.extent[k];
+        float below = light[k] * light.w + from.extent[k], above = light[k] * light.w -
+            from.extent[k];
         float least = middle[k] - extent[k] - below, most = middle[k] + extent[k] - above;
         if (light.w == 0.0 ? light[k] < 0.0 : least > 0.0)
-            reach = min(reach, light.w == 0.0 ? (least - high[k]) / light[k] : (high[k] - below) / least);
+            reach = min(reach, light.w == 0.0 ? (least - high[k]) / light[k]
+                : (high[k] - below) / least);
         if (light.w == 0.0 ? light[k] > 0.0 : most < 0.0)
-            reach = min(reach, light.w == 0.0 ? (most - low[k]) / light[k] : (low[k] - above) / most);
+            reach = min(reach, light.w == 0.0 ? (most - low[k]) / light[k]
+                : (low[k] - above) / most);
     }
     return max(reach, light.w);
 }
@@ -135,8 +145,10 @@ float bisectLightReach(BisectLight from, vec3 middle, vec3 extent)
 // point of the light that is farthest outside casts the shadow farthest inside.
 float bisectCastsBeyond(vec4 side, BisectLight light, float reach, vec3 middle, vec3 extent)
 {
-    float most = dot(side.xyz, middle) + side.w + dot(abs(side.xyz), extent), from = dot(side, light.at) - dot(abs(side.xyz), light.extent);
-    return min(-most, -(light.at.w != 0.0 ? from + reach * (most - from) : most - reach * from) / (2.0 * reach + 1.0));
+    float most = dot(side.xyz, middle) + side.w + dot(abs(side.xyz), extent),
+        from = dot(side, light.at) - dot(abs(side.xyz), light.extent);
+    return min(-most, -(light.at.w != 0.0 ? from + reach * (most - from) : most - reach * from) /
+        (2.0 * reach + 1.0));
 }
 
 // The light as a point on the line from the eye to it: at the eye its extent is 0, and grows
@@ -160,8 +172,10 @@ float bisectGapSlope(vec3 from, vec3 way, vec3 extent, vec3 grows, float at)
 // extent.
 float bisectLightFar(BisectLight light, float last, vec3 middle, vec3 extent)
 {
-    vec3 from = bisect_eye.xyz - middle, way = light.at.xyz - bisect_eye.xyz * light.at.w, grows = light.extent;
-    float low = 0.0, high = last, low_slope = bisectGapSlope(from, way, extent, grows, 0.0), high_slope = bisectGapSlope(from, way, extent, grows, last);
+    vec3 from = bisect_eye.xyz - middle, way = light.at.xyz - bisect_eye.xyz * light.at.w,
+        grows = light.extent;
+    float low = 0.0, high = last, low_slope = bisectGapSlope(from, way, extent, grows, 0.0),
+        high_slope = bisectGapSlope(from, way, extent, grows, last);
     if (low_slope >= 0.0)
         return length(bisectGap(from, extent));
     if (high_slope <= 0.0)
@@ -196,11 +210,14 @@ float bisectShadowWants(BisectBase at, Corners t, float far, vec3 middle, vec3 e
         float reach = bisectLightReach(light, middle, extent);
         float hidden = bisectCastsBeyond(bisect_front, light, reach, middle, extent);
         for (int side = 0; side < 4; side++)
-            hidden = max(hidden, bisectCastsBeyond(bisect_sides[side], light, reach, middle, extent));
+            hidden = max(hidden, bisectCastsBeyond(bisect_sides[side], light, reach, middle,
+                extent));
         // independent of the camera's position
-        hidden = max(hidden, bisectAway(at, t, light.at, middle, extent + light.extent) > 0.0 ? BISECT_SURE : -BISECT_SURE);
+        hidden = max(hidden, bisectAway(at, t, light.at, middle, extent + light.extent) > 0.0
+            ? BISECT_SURE : -BISECT_SURE);
         float last = light.at.w != 0.0 ? 1.0 - 1.0 / reach : reach;
-        float coarse = bisect_eye.w == 0.0 ? (far > 1.0 ? BISECT_SURE : -BISECT_SURE) : far - max(bisectLightFar(light, last, middle, extent), bisect_near);
+        float coarse = bisect_eye.w == 0.0 ? (far > 1.0 ? BISECT_SURE : -BISECT_SURE) : far -
+            max(bisectLightFar(light, last, middle, extent), bisect_near);
         wants = max(wants, min(-hidden, coarse));
     }
     return wants;
@@ -215,9 +232,11 @@ float bisectShadowWants(BisectBase at, Corners t, float far, vec3 middle, vec3 e
 float bisectWants(BisectBase at, uint base, uint number, Corners t, uint code)
 {
     int depth = findMSB(number);
-    vec3 a = bisectMixed(at.places, t.a), b = bisectMixed(at.places, t.b), c = bisectMixed(at.places, t.c);
+    vec3 a = bisectMixed(at.places, t.a), b = bisectMixed(at.places, t.b),
+        c = bisectMixed(at.places, t.c);
     uvec2 range = bisect_ranges[bisectRangeOf(base, number)];
-    vec3 low = min(min(a, b), c) + bisectOffset(range.x), high = max(max(a, b), c) + bisectOffset(range.y),
+    vec3 low = min(min(a, b), c) + bisectOffset(range.x), high = max(max(a, b), c) +
+        bisectOffset(range.y),
          middle = (low + high) / 2.0, extent = (high - low) / 2.0;
     float hidden = bisectBeyond(bisect_front, middle, extent);
     for (int i = 0; i < 4; i++)
@@ -262,7 +281,8 @@ Answers bisectAnswers(Asked a)
     Corners t = bisectCorners(a.leaf.base, a.leaf.number);
     // a dynamic loop bound, so that the compiler does not duplicate the body
     for (uint up = 0u; up <= uint(a.even); up++) {
-        float wants = bisectWants(base, a.leaf.base, a.leaf.number >> up, t, up == 0u ? a.leaf.own : a.leaf.behind);
+        float wants = bisectWants(base, a.leaf.base, a.leaf.number >> up, t, up == 0u ? a.leaf.own
+            : a.leaf.behind);
         if (up == 0u)
             answers.own = wants;
         else
@@ -272,7 +292,8 @@ Answers bisectAnswers(Asked a)
 #else
     answers.own = bisectWants(base, a.leaf.base, a.leaf.number, a.t, a.leaf.own);
     if (a.even)
-        answers.parent = bisectWants(base, a.leaf.base, a.leaf.number >> 1, bisectParent(a.leaf.number, a.t), a.leaf.behind);
+        answers.parent = bisectWants(base, a.leaf.base, a.leaf.number >> 1,
+            bisectParent(a.leaf.number, a.t), a.leaf.behind);
 #endif
     return answers;
 }
@@ -281,6 +302,7 @@ Answers bisectAnswers(Asked a)
 // change a value.
 void bisectDue(uint slot, Answers answers)
 {
-    float move = min(abs(answers.own), abs(answers.parent)), due = max(bisect_gone + 0.99 * min(move, BISECT_SURE) - bisect_slack, 0.0);
+    float move = min(abs(answers.own), abs(answers.parent)),
+        due = max(bisect_gone + 0.99 * min(move, BISECT_SURE) - bisect_slack, 0.0);
     atomicMin(bisect_work[bisectWord(LIST_DUE, slot / BISECT_TILE)], floatBitsToUint(due));
 }

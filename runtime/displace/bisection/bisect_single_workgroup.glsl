@@ -22,7 +22,8 @@ void bisectNextWaiting(int step)
 void bisectChange(bool merging, uint group)
 {
     uint asked = merging ? bisect_state[CHOSEN] : bisectDivide(group);
-    for (uint task = bisectTask(merging ? group : 0u); task < asked; task += merging ? asked : BISECT_THREADS) {
+    for (uint task = bisectTask(merging ? group : 0u); task < asked; task += merging ? asked
+        : BISECT_THREADS) {
         Asked a;
         if (merging)
             bisectMergeBegin(task, a);
@@ -47,7 +48,8 @@ void main()
     for (;;) {
         bool merging = bisect_state[MERGED_ALL] == 0u;
         uint count = merging ? bisect_state[MERGING] : bisect_state[WANTED];
-        if (count == 0u || count > (merging ? FEW_MERGING : FEW_WANTED) || bisect_state[FULL] != 0u || bisect_state[LOST] != 0u)
+        if (count == 0u || count > (merging ? FEW_MERGING : FEW_WANTED) ||
+            bisect_state[FULL] != 0u || bisect_state[LOST] != 0u)
             break;
         for (uint group = 0u; BISECT_THREADS * group < count; group++)
             if (merging)

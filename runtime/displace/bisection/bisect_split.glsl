@@ -17,7 +17,8 @@ vec3 bisectWeights(ivec3 weights)
 
 // Barycentric coordinates at which a triangle's distance from the surface is evaluated: the centers
 // of its grandchildren.
-const vec3 bisect_asked[4] = vec3[4](vec3(2.0, 1.0, 3.0) / 6.0, vec3(4.0, 1.0, 1.0) / 6.0, vec3(1.0, 2.0, 3.0) / 6.0, vec3(1.0, 4.0, 1.0) / 6.0);
+const vec3 bisect_asked[4] = vec3[4](vec3(2.0, 1.0, 3.0) / 6.0, vec3(4.0, 1.0, 1.0) / 6.0,
+    vec3(1.0, 2.0, 3.0) / 6.0, vec3(1.0, 4.0, 1.0) / 6.0);
 
 // Returns the number of levels below the triangle at which its parts are evaluated, of which the
 // worst counts; 0 if it is bisected in any case.
@@ -90,7 +91,8 @@ void bisectPutDisplaced(uint at)
 
 vec3 bisectWorld(uint at)
 {
-    return (matc_worldFromLocal * vec4(bisect_rows[at], bisect_rows[at + 1u], bisect_rows[at + 2u], 1.0)).xyz;
+    return (matc_worldFromLocal * vec4(bisect_rows[at], bisect_rows[at + 1u], bisect_rows[at + 2u],
+        1.0)).xyz;
 }
 
 #ifdef BISECT_BEGIN
@@ -110,15 +112,20 @@ void bisectFindRange(uint base, uint number)
     vec3 low = vec3(1e30), high = vec3(-1e30);
     if (findMSB(number) < bisect_ranged) {
         for (uint k = 0u; k < 2u; k++) {
-            low = min(low, vec3(uvec3(bisect_ranges[children + k].x, bisect_ranges[children + k].x >> 8, bisect_ranges[children + k].x >> 16) & 255u));
-            high = max(high, vec3(uvec3(bisect_ranges[children + k].y, bisect_ranges[children + k].y >> 8, bisect_ranges[children + k].y >> 16) & 255u));
+            low = min(low,
+                vec3(uvec3(bisect_ranges[children + k].x, bisect_ranges[children + k].x >> 8,
+                bisect_ranges[children + k].x >> 16) & 255u));
+            high = max(high,
+                vec3(uvec3(bisect_ranges[children + k].y, bisect_ranges[children + k].y >> 8,
+                bisect_ranges[children + k].y >> 16) & 255u));
         }
     } else {
         const int STEPS = 8;
         Corners t = bisectCorners(base, number);
         for (int i = 0; i <= STEPS; i++)
             for (int k = 0; k <= STEPS - i; k++) {
-                vec3 moves = bisectMoves(base, bisectWeights(t.a * i + t.b * k + t.c * (STEPS - i - k)) / float(STEPS));
+                vec3 moves = bisectMoves(base,
+                    bisectWeights(t.a * i + t.b * k + t.c * (STEPS - i - k)) / float(STEPS));
                 low = min(low, moves);
                 high = max(high, moves);
             }
@@ -183,7 +190,8 @@ Corners bisectChild(Corners t, uint child)
 
 mat3 bisectChildPoints(uint local, uint child)
 {
-    return mat3(splits[local].corners[2u - child], splits[local].corners[2u * child], splits[local].middle);
+    return mat3(splits[local].corners[2u - child], splits[local].corners[2u * child],
+        splits[local].middle);
 }
 
 void bisectPrepare(uint local, uint slot)
@@ -191,7 +199,8 @@ void bisectPrepare(uint local, uint slot)
     Leaf leaf = bisectLeaf(slot);
     uint free = atomicAdd(bisect_state[FREE], 0xFFFFFFFFu);
     splits[local].slot = slot;
-    splits[local].place = int(free) > 0 ? bisect_work[bisectWord(LIST_FREE, free - 1u)] : atomicAdd(bisect_state[HIGH], 1u);
+    splits[local].place = int(free) > 0 ? bisect_work[bisectWord(LIST_FREE, free - 1u)]
+        : atomicAdd(bisect_state[HIGH], 1u);
     splits[local].leaf = leaf;
     splits[local].deeper = bisectDeeper(2u * leaf.number);
     splits[local].t = bisectCorners(leaf.base, leaf.number);
@@ -203,8 +212,10 @@ void bisectPrepare(uint local, uint slot)
 // Copies a column of the rows of all corners but m: (a, b, c) becomes (c, a, m) and (b, c, m).
 void bisectCopyRows(uint local, uint k)
 {
-    uint first = bisectRow(splits[local].slot, 0u) + k, second = bisectRow(splits[local].place, 0u) + k;
-    float x = bisect_rows[first], y = bisect_rows[first + BISECT_ROW], z = bisect_rows[first + 2u * BISECT_ROW];
+    uint first = bisectRow(splits[local].slot, 0u) + k,
+        second = bisectRow(splits[local].place, 0u) + k;
+    float x = bisect_rows[first], y = bisect_rows[first + BISECT_ROW],
+        z = bisect_rows[first + 2u * BISECT_ROW];
     bisect_rows[first] = bisect_rows[second + BISECT_ROW] = z;
     bisect_rows[first + BISECT_ROW] = x;
     bisect_rows[second] = y;
@@ -218,8 +229,9 @@ vec3 bisectPoint(uint local, bool middle, uint at, out vec3 within)
     int deeper = splits[local].deeper;
     uint part = at >> 2 & (1u << deeper) - 1u | 1u << deeper;
     within = bisectPartOf(part, deeper) * bisect_asked[at & 3u];
-    vec3 moved = bisectMoved(splits[local].leaf.base, middle ? bisectWeights(splits[local].t.a + splits[local].t.b >> 1)
-                                                        : bisectWeightsOf(bisectChild(splits[local].t, at >> 2 + deeper)) * within);
+    vec3 moved = bisectMoved(splits[local].leaf.base,
+        middle ? bisectWeights(splits[local].t.a + splits[local].t.b >> 1)
+               : bisectWeightsOf(bisectChild(splits[local].t, at >> 2 + deeper)) * within);
     if (middle) {
         splits[local].middle = moved;
         bisectPutDisplaced(bisectRow(splits[local].slot, 2u));
@@ -247,17 +259,21 @@ void bisectSplitBegin(uint local, uint child, out Asked a)
     a.had = leaf;
     a.t = bisectChild(splits[local].t, child);
     a.even = child == 0u;
-    a.leaf = Leaf(leaf.base, number, min(leaf.own, bisectError(number, uintBitsToFloat(splits[local].worst[child]))), child == 0u ? leaf.own : leaf.behind);
+    a.leaf = Leaf(leaf.base, number,
+        min(leaf.own, bisectError(number, uintBitsToFloat(splits[local].worst[child]))),
+        child == 0u ? leaf.own : leaf.behind);
 }
 
 // Stores the new leaf and adds it to the table.
 void bisectSplitEnd(Asked a, Answers answers)
 {
     bisectPut(a.slot, a.leaf);
-    bisect_work[bisectWord(LIST_FLAGS, a.slot)] = answers.own > 0.0 ? FLAG_WANTED : answers.parent <= 0.0 ? FLAG_LESS : 0u;
+    bisect_work[bisectWord(LIST_FLAGS, a.slot)] = answers.own > 0.0 ? FLAG_WANTED
+        : answers.parent <= 0.0 ? FLAG_LESS : 0u;
     bisectInsert(bisectId(a.leaf.base, a.leaf.number), a.slot);
     if (answers.own > 0.0)
-        bisect_work[bisectWord(LIST_WANTED + 1u - bisect_state[SWAPPED], atomicAdd(bisect_state[WANTED_NEXT], 1u))] = a.slot;
+        bisect_work[bisectWord(LIST_WANTED + 1u - bisect_state[SWAPPED],
+            atomicAdd(bisect_state[WANTED_NEXT], 1u))] = a.slot;
 }
 
 #ifndef BISECT_FEW
@@ -302,7 +318,8 @@ void bisectDisplace(uint count)
     for (uint turn = 0u; turn < tasks; turn += BISECT_THREADS) {
         uint task = turn + gl_LocalInvocationIndex;
         bool middle = task < count, inside = task >= asked && task < tasks;
-        uint local = middle ? task : inside ? bisectOf(task - asked, count) : 0u, at = inside ? task - asked - split_first[local] : 0u;
+        uint local = middle ? task : inside ? bisectOf(task - asked, count) : 0u,
+            at = inside ? task - asked - split_first[local] : 0u;
         vec3 within = vec3(0.0), moved = vec3(0.0);
         if (middle || inside)
             moved = bisectPoint(local, middle, at, within);
@@ -322,7 +339,8 @@ void bisectDisplace(uint count)
 // of children.
 uint bisectDivide(uint group)
 {
-    uint first = BISECT_SPLITS * group, all = bisect_state[FULL] != 0u ? 0u : bisect_state[CHOSEN], count = min(max(all, first) - first, BISECT_SPLITS);
+    uint first = BISECT_SPLITS * group, all = bisect_state[FULL] != 0u ? 0u : bisect_state[CHOSEN],
+        count = min(max(all, first) - first, BISECT_SPLITS);
     if (bisectTask(0u) < count)
         bisectPrepare(bisectTask(0u), bisect_work[bisectWord(LIST_CHOSEN, first + bisectTask(0u))]);
     bisectTurn();

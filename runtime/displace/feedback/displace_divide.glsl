@@ -29,13 +29,15 @@ void put(vec2 weights, uint flags)
 
 vec3 worldOf(vec2 w)
 {
-    vec3 local = displaceMixed(displaceCorners(divide_state[0].x), vec3(w, 1.0 - w.x - w.y), 0u).xyz;
+    vec3 local = displaceMixed(displaceCorners(divide_state[0].x), vec3(w, 1.0 - w.x - w.y),
+        0u).xyz;
     return (matc_worldFromLocal * vec4(local, 1.0)).xyz;
 }
 
 bool onEdge(vec2 a, vec2 b)
 {
-    return (a.x == 0.0 && b.x == 0.0) || (a.y == 0.0 && b.y == 0.0) || (a.x + a.y == 1.0 && b.x + b.y == 1.0);
+    return (a.x == 0.0 && b.x == 0.0) || (a.y == 0.0 && b.y == 0.0) ||
+        (a.x + a.y == 1.0 && b.x + b.y == 1.0);
 }
 
 void skirt(vec2 around[6], int count)
@@ -74,7 +76,8 @@ void main()
     vec3 p = worldOf(a), q = worldOf(b), r = worldOf(c);
     float ab = distance(p, q), bc = distance(q, r), ca = distance(r, p), s = 0.5 * (ab + bc + ca);
     float area = sqrt(max(s * (s - ab) * (s - bc) * (s - ca), 0.0)); // Heron's formula
-    float away = distance((p + q + r) / 3.0, displace_eye) - displace_near, longest = max(max(ab, bc), ca);
+    float away = distance((p + q + r) / 3.0, displace_eye) - displace_near,
+        longest = max(max(ab, bc), ca);
     bool divided = away < displace_detail * area, again = away < 0.25 * displace_detail * area;
     bool early = divided && !again && displace_skirts == SKIRTS_EARLY && displace_last == 0;
     vec2 around[6] = vec2[6](a, 0.5 * (a + b), b, 0.5 * (b + c), c, 0.5 * (c + a));
@@ -84,10 +87,12 @@ void main()
     }
     // the neighbor may be larger and divided although it is nearer
     bool rim = displace_uneven != 0 && (onEdge(a, b) || onEdge(b, c) || onEdge(c, a));
-    bool border = rim || abs(away - displace_detail * area) < max(0.5 * area + displace_near, longest);
+    bool border = rim || abs(away - displace_detail * area) <
+        max(0.5 * area + displace_near, longest);
     if (divided) {
         four(around, early ? FINAL : 0u);
-        if (early ? border : displace_last != 0 && (displace_skirts == SKIRTS_ALL || (displace_skirts != 0 && rim)))
+        if (early ? border : displace_last != 0 &&
+            (displace_skirts == SKIRTS_ALL || (displace_skirts != 0 && rim)))
             skirt(around, 6);
         return;
     }

@@ -27,7 +27,8 @@ void put(ivec3 weights, bool lower)
 // Returns the weights of point `place` in row `row` of the part.
 ivec3 inRows(int row, int place)
 {
-    return displace_corners[0] * (displace_rowCount - row) + displace_corners[1] * place + displace_corners[2] * (row - place);
+    return displace_corners[0] * (displace_rowCount - row) + displace_corners[1] * place +
+        displace_corners[2] * (row - place);
 }
 
 void setPart(int part)
@@ -36,8 +37,10 @@ void setPart(int part)
     while ((row + 1) * (row + 1) <= part)
         row++;
     int place = part - row * row, column = place / 2, turned = place % 2;
-    ivec3 first = ivec3(displace_parts - row - turned, column + turned, row - column), way = ivec3(1 - 2 * turned);
-    displace_corners = ivec3[3](first, first + way * ivec3(-1, 1, 0), first + way * ivec3(-1, 0, 1));
+    ivec3 first = ivec3(displace_parts - row - turned, column + turned, row - column),
+        way = ivec3(1 - 2 * turned);
+    displace_corners = ivec3[3](first, first + way * ivec3(-1, 1, 0),
+        first + way * ivec3(-1, 0, 1));
 }
 
 // Returns corner k of small triangle t; row i has 2 i + 1 triangles.
@@ -72,7 +75,8 @@ void main()
             put(inRows(i + 1 - k % 2, k / 2), false);
         EndPrimitive();
     }
-    int count = skirtPoints(), band = displace_skirts == SKIRTS_OUTLINE ? 2 * (displace_rowCount + 1)
+    int count = skirtPoints(), band = displace_skirts == SKIRTS_OUTLINE
+        ? 2 * (displace_rowCount + 1)
                                     : displace_skirts == SKIRTS_ALL     ? 8
                                                                         : 3;
     for (int s = 0; s < count; s++) {

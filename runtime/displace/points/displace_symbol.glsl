@@ -28,9 +28,11 @@ void put(vec3 by, vec3 normal)
     displaced_tangentU = own_tangentU;
     displaced_tangentV = own_tangentV;
     displaced_normal = own_normal;
-    displaced_position = displace_center + displace_along * by.x + displace_across * by.y + displace_up * by.z;
+    displaced_position = displace_center + displace_along * by.x + displace_across * by.y +
+        displace_up * by.z;
     if (normal != vec3(0.0) && displace_along != vec3(0.0))
-        displaced_normal = normalize(displace_along * normal.x + displace_across * normal.y + displace_up * normal.z);
+        displaced_normal = normalize(displace_along * normal.x + displace_across * normal.y +
+            displace_up * normal.z);
     EmitVertex();
 }
 
@@ -47,14 +49,16 @@ void cylinder()
 {
     const int sides = 8;
     for (int i = 0; i <= sides; i++) {
-        vec3 side = vec3(cos(turn * float(i) / float(sides)), sin(turn * float(i) / float(sides)), 0);
+        vec3 side = vec3(cos(turn * float(i) / float(sides)), sin(turn * float(i) / float(sides)),
+            0);
         put(side + vec3(0, 0, 1), side);
         put(side - vec3(0, 0, 1), side);
     }
     EndPrimitive();
     for (int i = 0; i < sides; i++) { // zigzag between both sides: a strip that covers a disc
         int k = i % 2 == 0 ? i / 2 : sides - (i + 1) / 2;
-        put(vec3(cos(turn * float(k) / float(sides)), sin(turn * float(k) / float(sides)), 1), vec3(0, 0, 1));
+        put(vec3(cos(turn * float(k) / float(sides)), sin(turn * float(k) / float(sides)), 1),
+            vec3(0, 0, 1));
     }
     EndPrimitive();
 }
@@ -65,7 +69,8 @@ void ball()
     for (int band = 0; band < bands; band++) {
         for (int i = 0; i <= sides; i++)
             for (int k = 0; k < 2; k++) {
-                float down = 0.5 * turn * float(band + k) / float(bands), round = turn * float(i) / float(sides);
+                float down = 0.5 * turn * float(band + k) / float(bands),
+                    round = turn * float(i) / float(sides);
                 vec3 at = vec3(sin(down) * cos(round), sin(down) * sin(round), cos(down));
                 put(at, at);
             }
@@ -76,10 +81,12 @@ void ball()
 void main()
 {
     uvec3 corners = displaceCorners(displace_patchOf[0]);
-    vec3 p[3] = vec3[3](displace_rows[4u * corners.x].xyz, displace_rows[4u * corners.y].xyz, displace_rows[4u * corners.z].xyz);
+    vec3 p[3] = vec3[3](displace_rows[4u * corners.x].xyz, displace_rows[4u * corners.y].xyz,
+        displace_rows[4u * corners.z].xyz);
     bool there = true;
 #ifdef DISPLACE_VOLUME
-    there = displaceHeight(displace_patchOf[0], displace_weights[0], gl_InvocationID, 0.015625 / float(displace_parts));
+    there = displaceHeight(displace_patchOf[0], displace_weights[0], gl_InvocationID,
+        0.015625 / float(displace_parts));
 #else
     displacePoint(displace_patchOf[0], displace_weights[0]);
 #endif

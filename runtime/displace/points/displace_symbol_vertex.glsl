@@ -19,13 +19,16 @@ vec3 spread(int vertex)
     int triangle = vertex / 3, row = int(sqrt(float(triangle)));
     row += int((row + 1) * (row + 1) <= triangle) - int(row * row > triangle);
     int i = triangle - row * row, at = i / 2;
-    ivec3 w[3] = i % 2 == 0 ? ivec3[3](corner(row, at), corner(row + 1, at), corner(row + 1, at + 1))
-                            : ivec3[3](corner(row, at), corner(row + 1, at + 1), corner(row, at + 1));
+    ivec3 w[3] = i % 2 == 0 ? ivec3[3](corner(row, at), corner(row + 1, at),
+        corner(row + 1, at + 1))
+                            : ivec3[3](corner(row, at), corner(row + 1, at + 1),
+                                corner(row, at + 1));
     return mix(vec3(w[vertex % 3]), vec3(w[0] + w[1] + w[2]) / 3.0, displace_spread);
 }
 
 void main()
 {
     displace_patchOf = displace_drawn[displace_first + gl_InstanceID].x;
-    displace_weights = (displace_spread > 0.0 ? spread(gl_VertexID) : vec3(displaceRow(gl_VertexID, displace_parts))) / float(displace_parts);
+    displace_weights = (displace_spread > 0.0 ? spread(gl_VertexID)
+        : vec3(displaceRow(gl_VertexID, displace_parts))) / float(displace_parts);
 }

@@ -26,18 +26,22 @@ void main()
     vec3 leaves = traceLeaves(), way = traceWay(leaves);
     vec3 from = space.inner * (leaves - space.corner), along = space.inner * way;
     float side = along.z < 0.0 ? 1.0 : -1.0; // 1: the ray enters from above; -1: from below
-    vec2 heights = vec2(trace_nodes[node].w, trace_nodes[node + 1].w) / max(abs(along.z), SLANTED * length(way));
+    vec2 heights = vec2(trace_nodes[node].w, trace_nodes[node + 1].w) /
+        max(abs(along.z), SLANTED * length(way));
     vec2 ends = side > 0.0 ? -heights.yx : heights; // begin and end of the march
     if (trace_eye.w > 0.0)
         ends = max(ends, -0.99); // the march must not begin behind the eye
-    int steps = int(clamp(ceil(length(along.xy) * (ends.y - ends.x) * float(trace_parts)), float(LEAST), float(MOST)));
+    int steps = int(clamp(ceil(length(along.xy) * (ends.y - ends.x) * float(trace_parts)),
+        float(LEAST), float(MOST)));
     float enough = NEAR * (trace_nodes[node + 1].w - trace_nodes[node].w);
     // on both sides of the surface: heights, and parameters
     vec2 over = vec2(1.0, -1.0), between = ends;
     float t = ends.x, last = 0.0;
     bool found = false;
-    for (int step = 0, left = SECANTS; step <= steps && left > 0; step += int(!found), left -= int(found)) {
-        t = found ? between.x + (between.y - between.x) * over.x / (over.x - over.y) : mix(ends.x, ends.y, float(step) / float(steps));
+    for (int step = 0, left = SECANTS; step <= steps && left > 0; step += int(!found),
+        left -= int(found)) {
+        t = found ? between.x + (between.y - between.x) * over.x / (over.x - over.y)
+            : mix(ends.x, ends.y, float(step) / float(steps));
         float here = side * parallaxOver(number, space, from + along * t);
         if (step == 0 && here <= 0.0)
             break;

@@ -26,7 +26,8 @@ TraceRay traceRay()
     ray.from = traceLeaves();
     ray.along = traceWay(ray.from);
     ray.begin = trace_eye.w > 0.0 ? -1.0 : -1e30;
-    vec4 from = trace_clipFromLocal * vec4(ray.from, 1.0), along = trace_clipFromLocal * vec4(ray.along, 0.0);
+    vec4 from = trace_clipFromLocal * vec4(ray.from, 1.0),
+        along = trace_clipFromLocal * vec4(ray.along, 0.0);
     if (along.z < along.w)
         ray.begin = max(ray.begin, (from.z - from.w) / (along.w - along.z));
     return ray;
@@ -45,7 +46,8 @@ vec2 traceThrough(int number, TracePart part, vec4 from, vec4 inverse)
     int node = 2 * traceNode(number, part);
     vec4 a = (trace_nodes[node] - from) * inverse, b = (trace_nodes[node + 1] - from) * inverse;
     vec4 enter = min(a, b), leave = max(a, b);
-    return vec2(max(max(enter.x, enter.y), max(enter.z, enter.w)), min(min(leave.x, leave.y), min(leave.z, leave.w)));
+    return vec2(max(max(enter.x, enter.y), max(enter.z, enter.w)),
+        min(min(leave.x, leave.y), min(leave.z, leave.w)));
 }
 
 // Records the nearest triangle that the ray misses: the ray's point nearest to the triangle's
@@ -58,20 +60,24 @@ void tracePass(TracePart part, vec3 p, mat2x3 edges, TraceRay ray, inout TraceNe
         return;
     vec3 to = ray.from + t * ray.along - p;
     vec2 at = vec2(dot(cross(to, edges[1]), n), dot(cross(edges[0], to), n)) / area;
-    float miss = max(max(-min(at.x, at.y), at.x + at.y - 1.0), 0.0) + abs(dot(to, n)) / area * sqrt(sqrt(area));
+    float miss = max(max(-min(at.x, at.y), at.x + at.y - 1.0), 0.0) +
+        abs(dot(to, n)) / area * sqrt(sqrt(area));
     if (miss > near.miss)
         return;
     ivec2 corners[3];
     traceCorners(part, corners);
     at = max(at, vec2(0.0));
     at /= max(at.x + at.y, 1.0);
-    vec2 first = vec2(corners[0]), place = first + at.x * (vec2(corners[1]) - first) + at.y * (vec2(corners[2]) - first);
-    near = TraceNear(miss, TraceHit(t, clamp(place / float(trace_parts), vec2(0.0), vec2(1.0)), part));
+    vec2 first = vec2(corners[0]), place = first + at.x * (vec2(corners[1]) - first) +
+        at.y * (vec2(corners[2]) - first);
+    near = TraceNear(miss, TraceHit(t, clamp(place / float(trace_parts), vec2(0.0), vec2(1.0)),
+        part));
 }
 
 // Intersects a triangle of the grid; neighbors overlap slightly, so that no ray passes between
 // them.
-void traceTriangle(int number, TracePart part, TraceRay ray, inout TraceHit hit, inout TraceNear near)
+void traceTriangle(int number, TracePart part, TraceRay ray, inout TraceHit hit,
+    inout TraceNear near)
 {
     const float OVERLAP = 1e-4;
     ivec2 corners[3];
@@ -89,11 +95,15 @@ void traceTriangle(int number, TracePart part, TraceRay ray, inout TraceHit hit,
     float x = dot(v, turned), y = -dot(u, turned);
     if (min(min(x, y), 1.0 - x - y) < -OVERLAP || t < ray.begin || t > hit.t)
         return;
-    vec2 first = vec2(corners[0]), at = first + x * (vec2(corners[1]) - first) + y * (vec2(corners[2]) - first);
+    vec2 first = vec2(corners[0]), at = first + x * (vec2(corners[1]) - first) +
+        y * (vec2(corners[2]) - first);
     hit = TraceHit(t, clamp(at / float(trace_parts), vec2(0.0), vec2(1.0)), part);
 }
 
-int traceCode(TracePart part) { return part.level << 24 | int(part.between) << 20 | part.at.x << 10 | part.at.y; }
+int traceCode(TracePart part)
+{
+    return part.level << 24 | int(part.between) << 20 | part.at.x << 10 | part.at.y;
+}
 TracePart tracePart(int code)
 {
     return TracePart(code >> 24, ivec2(code >> 10, code) & 1023, (code >> 20 & 1) == 1);
@@ -163,7 +173,8 @@ float traceSurface(int number, TraceRay ray, inout TraceHit hit)
     traceSlopes(number, hit.part, byA, byB);
     float volume = dot(cross(byA, byB), ray.along), least = 1e30, enough = NEAR * length(ray.along);
     // rows of the inverse Jacobian
-    mat3 rows = mat3(cross(byB, ray.along), cross(ray.along, byA), -cross(byA, byB)) * (volume == 0.0 ? 0.0 : 1.0 / volume);
+    mat3 rows = mat3(cross(byB, ray.along), cross(ray.along, byA), -cross(byA, byB)) *
+        (volume == 0.0 ? 0.0 : 1.0 / volume);
     vec3 x = vec3(hit.at, hit.t), first = x;
     for (int step = 0; step < STEPS; step++) {
         displaceAt(uint(number), vec3(1.0 - x.x, x.x - x.y, x.y), false);
@@ -181,7 +192,8 @@ float traceSurface(int number, TraceRay ray, inout TraceHit hit)
             rows += mat3(more.x * along, more.y * along, more.z * along);
         }
         vec3 to = x - off * rows;
-        to.xy = clamp(to.xy, first.xy - 1.0 / float(trace_parts), first.xy + 1.0 / float(trace_parts));
+        to.xy = clamp(to.xy, first.xy - 1.0 / float(trace_parts),
+            first.xy + 1.0 / float(trace_parts));
         to.x = clamp(to.x, 0.0, 1.0);
         to.y = clamp(to.y, 0.0, to.x);
         move = to - x;
@@ -199,7 +211,8 @@ bool traceBeside(int number, TraceRay ray, TraceHit hit, float off)
 {
     vec3 byA, byB;
     traceSlopes(number, hit.part, byA, byB);
-    return off < 1e-3 * (length(byA) + length(byB)) / float(trace_parts) && hit.t >= ray.begin && hit.t <= 0.0;
+    return off < 1e-3 * (length(byA) + length(byB)) / float(trace_parts) && hit.t >= ray.begin &&
+        hit.t <= 0.0;
 }
 
 // Returns the polygon offset, which has no effect if the program writes depth.
@@ -208,11 +221,14 @@ float traceOffset(int number, TracePart part, vec4 clip)
     vec3 byA, byB;
     traceSlopes(number, part, byA, byB);
     vec4 a = trace_clipFromLocal * vec4(byA, 0.0), b = trace_clipFromLocal * vec4(byB, 0.0);
-    vec3 ndc = clip.xyz / clip.w, rowA = (a.xyz - ndc * a.w) / clip.w, rowB = (b.xyz - ndc * b.w) / clip.w;
+    vec3 ndc = clip.xyz / clip.w, rowA = (a.xyz - ndc * a.w) / clip.w,
+        rowB = (b.xyz - ndc * b.w) / clip.w;
     float turn = rowA.x * rowB.y - rowA.y * rowB.x;
-    vec2 slope = vec2(rowA.z * rowB.y - rowB.z * rowA.y, rowB.z * rowA.x - rowA.z * rowB.x) / (turn == 0.0 ? 1e-30 : turn);
+    vec2 slope = vec2(rowA.z * rowB.y - rowB.z * rowA.y, rowB.z * rowA.x - rowA.z * rowB.x) /
+        (turn == 0.0 ? 1e-30 : turn);
     float least = exp2(floor(log2(max(ndc.z, 1e-30))) - 23.0);
-    return trace_offset.x * max(abs(slope.x * trace_pixel.x), abs(slope.y * trace_pixel.y)) + trace_offset.y * least;
+    return trace_offset.x * max(abs(slope.x * trace_pixel.x), abs(slope.y * trace_pixel.y)) +
+        trace_offset.y * least;
 }
 
 void main()

@@ -22,12 +22,15 @@ vec3 traceLeaves()
 {
     vec2 pixel = gl_FragCoord.xy * trace_pixel + trace_corner;
     mat4 rows = transpose(trace_clipFromLocal);
-    vec4 x = rows[0] - pixel.x * rows[3], y = rows[1] - pixel.y * rows[3], place = vec4(trace_leaves, 1.0);
+    vec4 x = rows[0] - pixel.x * rows[3], y = rows[1] - pixel.y * rows[3],
+        place = vec4(trace_leaves, 1.0);
     vec2 off = vec2(dot(x, place), dot(y, place));
-    float xx = dot(x.xyz, x.xyz), xy = dot(x.xyz, y.xyz), yy = dot(y.xyz, y.xyz), size = xx * yy - xy * xy;
+    float xx = dot(x.xyz, x.xyz), xy = dot(x.xyz, y.xyz), yy = dot(y.xyz, y.xyz),
+        size = xx * yy - xy * xy;
     if (size <= 0.0)
         return trace_leaves;
-    return trace_leaves - ((off.x * yy - off.y * xy) * x.xyz + (off.y * xx - off.x * xy) * y.xyz) / size;
+    return trace_leaves - ((off.x * yy - off.y * xy) * x.xyz + (off.y * xx - off.x * xy) * y.xyz) /
+        size;
 }
 
 // Returns the vector from the eye to the point where the ray leaves the hull; for parallel rays the

@@ -23,7 +23,8 @@ void main()
     TraceSpace space = traceSpace(number);
     if (trace_hull == 1) {
         for (int i = 0; i < 3; i++)
-            tracePut(3 * number + i, space.corner + space.local * vec3(min(i, 1), max(i - 1, 0), 0.0));
+            tracePut(3 * number + i, space.corner +
+                space.local * vec3(min(i, 1), max(i - 1, 0), 0.0));
         return;
     }
     int node = 2 * traceNode(number, TracePart(0, ivec2(0), false));
@@ -32,7 +33,9 @@ void main()
     vec4 more = 1e-3 * (high - low) + vec4(vec3(1e-4), 1e-4 * length(space.local[0]));
     low -= more;
     high += more;
-    vec2 corners[3] = vec2[3](vec2(low.y + low.z, low.y), vec2(high.x, low.y), vec2(high.x, high.x - low.z));
+    vec2 corners[3] = vec2[3](vec2(low.y + low.z, low.y), vec2(high.x, low.y),
+        vec2(high.x, high.x - low.z));
     for (int i = 0; i < 6; i++)
-        tracePut(6 * number + i, space.corner + space.local * vec3(corners[i % 3], i < 3 ? low.w : high.w));
+        tracePut(6 * number + i, space.corner +
+            space.local * vec3(corners[i % 3], i < 3 ? low.w : high.w));
 }

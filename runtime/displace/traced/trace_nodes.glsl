@@ -27,7 +27,8 @@ vec4 traceBulge(int number, TraceSpace space, TracePart part)
         p[i] = traceVector(traceRow(number, 2 * corners[i]), TRACE_POSITION);
     for (int i = 0; i < 3; i++) {
         int k = (i + 1) % 3;
-        vec3 off = space.inner * (traceVector(traceRow(number, corners[i] + corners[k]), TRACE_POSITION) - 0.5 * (p[i] + p[k]));
+        vec3 off = space.inner * (traceVector(traceRow(number, corners[i] + corners[k]),
+            TRACE_POSITION) - 0.5 * (p[i] + p[k]));
         most = max(most, abs(off));
         aside = max(aside, abs(off.x - off.y));
     }

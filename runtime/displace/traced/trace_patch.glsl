@@ -7,11 +7,13 @@ layout(std430, binding = 4) readonly buffer TraceRows {
 };
 uniform int trace_parts; // number of parts of an edge: a power of two
 
-const int TRACE_ROW = 17, TRACE_POSITION = 0, TRACE_NORMAL = 3, TRACE_TEXCOORD = 6, TRACE_TANGENT_U = 8, TRACE_TANGENT_V = 11, TRACE_BASE = 14;
+const int TRACE_ROW = 17, TRACE_POSITION = 0, TRACE_NORMAL = 3, TRACE_TEXCOORD = 6,
+    TRACE_TANGENT_U = 8, TRACE_TANGENT_V = 11, TRACE_BASE = 14;
 
 int traceRow(int number, ivec2 at)
 {
-    return TRACE_ROW * (number * ((trace_parts + 1) * (trace_parts + 2) / 2) + at.x * (at.x + 1) / 2 + at.y);
+    return TRACE_ROW * (number * ((trace_parts + 1) * (trace_parts + 2) / 2) +
+        at.x * (at.x + 1) / 2 + at.y);
 }
 
 vec3 traceVector(int row, int part)
@@ -30,7 +32,8 @@ TraceSpace traceSpace(int number)
     TraceSpace space;
     space.corner = traceVector(traceRow(number, ivec2(0)), TRACE_BASE);
     vec3 first = traceVector(traceRow(number, ivec2(trace_parts, 0)), TRACE_BASE);
-    vec3 a = first - space.corner, b = traceVector(traceRow(number, ivec2(trace_parts)), TRACE_BASE) - first;
+    vec3 a = first - space.corner,
+        b = traceVector(traceRow(number, ivec2(trace_parts)), TRACE_BASE) - first;
     vec3 across = cross(a, b);
     float area = length(across);
     vec3 n = area > 0.0 ? across / area : vec3(0.0);

@@ -40,7 +40,8 @@ vec3 traceWeights(TraceCorners corners, vec2 at)
 
 vec3 traceMixed(TraceCorners corners, vec3 w, int part)
 {
-    return traceVector(corners.rows[0], part) * w.x + traceVector(corners.rows[1], part) * w.y + traceVector(corners.rows[2], part) * w.z;
+    return traceVector(corners.rows[0], part) * w.x + traceVector(corners.rows[1], part) * w.y +
+        traceVector(corners.rows[2], part) * w.z;
 }
 
 void traceAttributes(TraceCorners corners, vec2 at)
@@ -62,8 +63,10 @@ mat2 traceScreen(TraceCorners corners, vec2 at)
     vec4 clip = trace_clip;
     float parts = float(trace_parts);
     vec3 here = trace_position;
-    vec3 byA = traceMixed(corners, traceWeights(corners, at + one.xy / parts), TRACE_POSITION) - here;
-    vec3 byB = traceMixed(corners, traceWeights(corners, at + one.yx / parts), TRACE_POSITION) - here;
+    vec3 byA = traceMixed(corners, traceWeights(corners, at + one.xy / parts), TRACE_POSITION) -
+        here;
+    vec3 byB = traceMixed(corners, traceWeights(corners, at + one.yx / parts), TRACE_POSITION) -
+        here;
     mat4 clipFromLocal = matc_clipFromWorld * matc_instances[trace_place].worldFromLocal;
     vec4 a = clipFromLocal * vec4(byA, 0.0) * parts, b = clipFromLocal * vec4(byB, 0.0) * parts;
     return mat2((a.xy - clip.xy / clip.w * a.w) / clip.w, (b.xy - clip.xy / clip.w * b.w) / clip.w);

@@ -59,7 +59,8 @@ vec2 smoothNoise(SmoothPlace from, ivec2 at)
     for (int y = -1; y <= 1; y++)
         for (int x = -1; x <= 1; x++) {
             ivec2 beside = clamp(at + ivec2(x, y), smoothLow(), smoothSize() - 1);
-            float weight = smoothWeight(from, indirectPixel(beside), float(INDIRECT_COARSE * (abs(x) + abs(y))));
+            float weight = smoothWeight(from, indirectPixel(beside),
+                float(INDIRECT_COARSE * (abs(x) + abs(y))));
             vec2 components = smoothComponents(texelFetch(smooth_rays, beside, 0));
             sum += weight * components;
             squares += weight * components * components;
@@ -85,11 +86,15 @@ vec4 passPixel(ivec2 at)
     for (int y = -2; y <= 2; y++)
         for (int x = -2; x <= 2; x++) {
             ivec2 beside = at + apart * ivec2(x, y);
-            if (any(lessThan(beside, smoothLow())) || any(greaterThanEqual(beside, smoothSize()))) continue;
+            if (any(lessThan(beside, smoothLow())) || any(greaterThanEqual(beside, smoothSize())))
+                continue;
             vec4 value = texelFetch(smooth_source, beside, 0);
-            float same = kernel[abs(x)] * kernel[abs(y)] * (x == 0 && y == 0 ? 1.0 : smoothWeight(from, indirectPixel(beside), float(INDIRECT_COARSE * apart * (abs(x) + abs(y)))));
+            float same = kernel[abs(x)] * kernel[abs(y)] *
+                (x == 0 && y == 0 ? 1.0 : smoothWeight(from, indirectPixel(beside),
+                float(INDIRECT_COARSE * apart * (abs(x) + abs(y)))));
             vec2 weight = vec2(same);
-            if (smooth_level > 0.5) weight *= exp(-abs(smoothComponents(value) - smoothComponents(middle)) / noise);
+            if (smooth_level > 0.5)
+                weight *= exp(-abs(smoothComponents(value) - smoothComponents(middle)) / noise);
             mean += weight.xxxy * value;
             sum += weight;
         }
@@ -100,7 +105,8 @@ vec4 passPixel(ivec2 at)
 {
 #ifdef SMOOTH_SPREAD
     const int more = INDIRECT_COARSE > 1 ? 1 : 0;
-    const ivec2 low = ivec2(0, -INDIRECT_FILTER), count = ivec2(1 + more, 2 * INDIRECT_FILTER + 1 + more);
+    const ivec2 low = ivec2(0, -INDIRECT_FILTER),
+        count = ivec2(1 + more, 2 * INDIRECT_FILTER + 1 + more);
     ivec2 pixel = at, middle = (at - INDIRECT_COARSE / 2) / INDIRECT_COARSE;
 #else
     const ivec2 low = ivec2(-INDIRECT_FILTER, 0), count = ivec2(2 * INDIRECT_FILTER + 1, 1);
@@ -111,7 +117,8 @@ vec4 passPixel(ivec2 at)
     vec3 point = indirectPoint(pixel, depth);
     SmoothPlace from = SmoothPlace(point, indirectNormal(pixel), indirectPixelSize(point));
     ivec2 first = smoothLow(), size = smoothSize();
-    float reach = clamp(indirect_picture.w / (from.width * float(INDIRECT_COARSE)), min(2.0, float(INDIRECT_FILTER)), float(INDIRECT_FILTER));
+    float reach = clamp(indirect_picture.w / (from.width * float(INDIRECT_COARSE)),
+        min(2.0, float(INDIRECT_FILTER)), float(INDIRECT_FILTER));
     float sum = 0.0;
     vec4 mean = vec4(0.0), nearest = vec4(0.0, 0.0, 0.0, 1.0);
     for (int i = 0; i < count.x * count.y; i++) {
@@ -122,7 +129,8 @@ vec4 passPixel(ivec2 at)
         vec2 share = clamp(reach + 0.5 - apart, vec2(0.0), vec2(1.0));
         if (INDIRECT_COARSE > 1) share = clamp(max(reach, 0.5) + 0.5 - apart, vec2(0.0), vec2(1.0));
         vec4 value = texelFetch(smooth_source, source, 0);
-        float weight = share.x * share.y * smoothWeight(from, shown, float(INDIRECT_COARSE) * (apart.x + apart.y));
+        float weight = share.x * share.y *
+            smoothWeight(from, shown, float(INDIRECT_COARSE) * (apart.x + apart.y));
         if (beside == ivec2(0)) nearest = value;
         mean += weight * value;
         sum += weight;

@@ -31,7 +31,8 @@ struct TemporalKept {
 vec2 temporalPack(vec3 n)
 {
     n /= abs(n.x) + abs(n.y) + abs(n.z);
-    return n.z >= 0.0 ? n.xy : (1.0 - abs(n.yx)) * vec2(n.x < 0.0 ? -1.0 : 1.0, n.y < 0.0 ? -1.0 : 1.0);
+    return n.z >= 0.0 ? n.xy : (1.0 - abs(n.yx)) *
+        vec2(n.x < 0.0 ? -1.0 : 1.0, n.y < 0.0 ? -1.0 : 1.0);
 }
 
 vec3 temporalUnpack(vec2 p)
@@ -49,18 +50,23 @@ TemporalKept temporalAt(vec3 was, vec3 turned)
     TemporalKept kept = TemporalKept(vec4(0.0), 0.0);
     bool orthographic = temporal_view.y > 0.0;
     if (!orthographic && -was.z <= temporal_view.x) return kept;
-    vec2 place = 0.5 * ((orthographic ? was.xy : was.xy / -was.z) / temporal_ray.xy + temporal_ray.zw);
-    vec2 shown = (place - 0.5 - float(INDIRECT_COARSE / 2)) / float(INDIRECT_COARSE), part = fract(shown);
+    vec2 place = 0.5 * ((orthographic ? was.xy : was.xy / -was.z) / temporal_ray.xy +
+        temporal_ray.zw);
+    vec2 shown = (place - 0.5 - float(INDIRECT_COARSE / 2)) / float(INDIRECT_COARSE),
+        part = fract(shown);
     ivec2 size = textureSize(temporal_values, 0);
-    float width = 2.0 * temporal_ray.x * (orthographic ? 1.0 : -was.z) * float(INDIRECT_COARSE), sum = 0.0;
+    float width = 2.0 * temporal_ray.x * (orthographic ? 1.0 : -was.z) * float(INDIRECT_COARSE),
+        sum = 0.0;
     for (int i = 0; i < 4; i++) {
         ivec2 beside = ivec2(i & 1, i >> 1), tap = ivec2(floor(shown)) + beside;
         if (any(lessThan(tap, ivec2(0))) || any(greaterThanEqual(tap, size))) continue;
         vec4 there = texelFetch(temporal_places, tap, 0);
         if (there.y <= 0.0) continue;
-        vec2 ray = (vec2(2 * (tap * INDIRECT_COARSE + INDIRECT_COARSE / 2) + 1) - temporal_ray.zw) * temporal_ray.xy;
+        vec2 ray = (vec2(2 * (tap * INDIRECT_COARSE + INDIRECT_COARSE / 2) + 1) - temporal_ray.zw) *
+            temporal_ray.xy;
         vec3 other = orthographic ? vec3(ray, -there.x) : vec3(ray, -1.0) * there.x;
-        if (abs(dot(turned, other - was)) > width || dot(turned, temporalUnpack(there.zw)) < 0.9) continue;
+        if (abs(dot(turned, other - was)) > width || dot(turned, temporalUnpack(there.zw)) < 0.9)
+            continue;
         vec2 share = mix(1.0 - part, part, vec2(beside));
         float weight = share.x * share.y;
         kept.value += weight * texelFetch(temporal_values, tap, 0);
@@ -78,10 +84,13 @@ TemporalKept temporalAt(vec3 was, vec3 turned)
 TemporalKept temporalFind(ivec2 at, vec3 point, vec3 normal)
 {
     if (temporal_limits.y == 0.0) return TemporalKept(vec4(0.0), 0.0);
-    if (temporal_limits.z == 1.0) return TemporalKept(texelFetch(temporal_values, at, 0), texelFetch(temporal_places, at, 0).y);
+    if (temporal_limits.z == 1.0)
+        return TemporalKept(texelFetch(temporal_values, at, 0),
+            texelFetch(temporal_places, at, 0).y);
     mat4 from_eye = TEMPORAL_MATRIX(temporal_from_eye, 0);
     vec3 was = (from_eye * vec4(point, 1.0)).xyz, turned = mat3(from_eye) * normal;
-    int number = temporal_counts.x > 0.0 ? int(texelFetch(temporal_moved, indirectPixel(at), 0).x) : 0;
+    int number = temporal_counts.x > 0.0 ? int(texelFetch(temporal_moved, indirectPixel(at), 0).x)
+        : 0;
     if (float(number) > temporal_counts.y) return TemporalKept(vec4(0.0), 0.0);
     if (number == 0) return temporalAt(was, turned);
     TemporalKept kept = temporalAt(was + temporal_steps[number - 1].xyz, turned);
@@ -89,7 +98,8 @@ TemporalKept temporalFind(ivec2 at, vec3 point, vec3 normal)
     // Normals transform by the cofactor matrix, the inverse transpose up to a factor.
     mat4 motion = TEMPORAL_MATRIX(temporal_motions, 4 * number - 4);
     vec3 c0 = motion[0].xyz, c1 = motion[1].xyz, c2 = motion[2].xyz;
-    turned = sign(dot(c0, cross(c1, c2))) * normalize(mat3(cross(c1, c2), cross(c2, c0), cross(c0, c1)) * normal);
+    turned = sign(dot(c0, cross(c1, c2))) *
+        normalize(mat3(cross(c1, c2), cross(c2, c0), cross(c0, c1)) * normal);
     return temporalAt((motion * vec4(point, 1.0)).xyz, turned);
 }
 
@@ -98,7 +108,9 @@ bool temporalIsNear(vec3 point)
 {
     vec3 world = (TEMPORAL_MATRIX(temporal_world, 0) * vec4(point, 1.0)).xyz;
     for (int i = 0; i < int(temporal_counts.x); i++) {
-        vec3 beyond = max(max(temporal_boxes[2 * i].xyz - world, world - temporal_boxes[2 * i + 1].xyz), vec3(0.0));
+        vec3 beyond =
+            max(max(temporal_boxes[2 * i].xyz - world, world - temporal_boxes[2 * i + 1].xyz),
+            vec3(0.0));
         if (dot(beyond, beyond) < temporal_dirty.z * temporal_dirty.z) return true;
     }
     return false;
@@ -118,20 +130,25 @@ void temporalLimit(inout TemporalKept kept, ivec2 at, vec3 point, vec3 normal)
     ivec2 size = textureSize(temporal_rays, 0);
     for (int y = -2; y < 2; y++)
         for (int x = -2; x < 2; x++) {
-            ivec2 beside = clamp(at + ivec2(x, y), ivec2(0), size - 1), pixel = indirectPixel(beside);
+            ivec2 beside = clamp(at + ivec2(x, y), ivec2(0), size - 1),
+                pixel = indirectPixel(beside);
             float depth = texelFetch(indirect_depth, pixel, 0).x;
-            if (depth <= 0.0 || abs(dot(normal, indirectPoint(pixel, depth) - point)) > 2.0 * width) continue;
+            if (depth <= 0.0 || abs(dot(normal, indirectPoint(pixel, depth) - point)) > 2.0 * width)
+                continue;
             vec4 found = texelFetch(temporal_rays, beside, 0);
             sum += found;
             squares += found * found;
             count += 1.0;
         }
     if (count == 0.0) return;
-    vec4 mean = sum / count, off = 1.5 * sqrt(max(squares / count - mean * mean, vec4(0.0)) / count);
-    vec4 limited = clamp(kept.value, mean - off, mean + off), beyond = abs(kept.value - limited) / (off + 1e-4);
+    vec4 mean = sum / count, off =
+        1.5 * sqrt(max(squares / count - mean * mean, vec4(0.0)) / count);
+    vec4 limited = clamp(kept.value, mean - off, mean + off),
+        beyond = abs(kept.value - limited) / (off + 1e-4);
     if (doubt.x) kept.value.xyz = limited.xyz;
     if (doubt.y) kept.value.w = limited.w;
-    float most = max(doubt.x ? max(max(beyond.x, beyond.y), beyond.z) : 0.0, doubt.y ? beyond.w : 0.0);
+    float most = max(doubt.x ? max(max(beyond.x, beyond.y), beyond.z) : 0.0, doubt.y ? beyond.w
+        : 0.0);
     kept.sets *= clamp(1.0 - most, 0.0, 1.0);
 }
 

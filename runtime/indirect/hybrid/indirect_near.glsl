@@ -32,7 +32,8 @@ IndirectOrigin indirectOrigin(vec3 point, vec3 normal)
     float size = length(along);
     vec3 up = voxelStart(vec3(0.0), along / size);
     vec3 from = point + (indirect_reach.y + indirect_reach.z * indirectPixelSize(point)) * normal;
-    return IndirectOrigin(point, normal, from, place, up, length(up) / size, voxelAt(place + up), indirectSeen(from, 1.0));
+    return IndirectOrigin(point, normal, from, place, up, length(up) / size, voxelAt(place + up),
+        indirectSeen(from, 1.0));
 }
 
 // Start of a ray in voxels, off the surface.
@@ -55,7 +56,8 @@ IndirectStart indirectStart(IndirectOrigin origin, vec3 way, vec3 going)
     float h = origin.lift, cosine = dot(way, origin.normal), aside = 1.0 - cosine;
     vec3 along = origin.place + h * going + aside * origin.up;
     bool within = voxelAt(along);
-    return IndirectStart(within ? origin.place + origin.up : along, within ? h * cosine : h + h * aside * cosine, within && origin.full);
+    return IndirectStart(within ? origin.place + origin.up : along, within ? h * cosine
+        : h + h * aside * cosine, within && origin.full);
 }
 
 #ifdef INDIRECT_NEAR
@@ -65,7 +67,8 @@ IndirectStart indirectStart(IndirectOrigin origin, vec3 way, vec3 going)
 bool indirectShownNear(IndirectOrigin origin, vec3 way, float less, inout IndirectHit hit)
 {
     bool flat_ = indirectIsOrthographic();
-    float radius = indirect_reach.x, step_ = min(indirect_models.x, radius) / float(INDIRECT_STEPS), found = -1.0;
+    float radius = indirect_reach.x, step_ = min(indirect_models.x, radius) / float(INDIRECT_STEPS),
+        found = -1.0;
     vec3 going = indirectSeen(way, 0.0);
     for (int j = INDIRECT_STEPS; j >= 1; j--) {
         float s = step_ * (float(j) - less);
@@ -75,8 +78,10 @@ bool indirectShownNear(IndirectOrigin origin, vec3 way, float less, inout Indire
         ivec2 pixel = shown ? ivec2(at) : ivec2(0);
         float depth = texelFetch(indirect_depth, pixel, 0).x;
         // distance behind the surface; in perspective multiplied by the depth
-        float behind = flat_ ? (depth - 1.0) * indirect_view.x - origin.from.z - s * way.z : seen.z * depth - indirect_view.x;
-        if (shown && depth > 0.0 && behind > 0.0 && behind <= indirect_models.y * (flat_ ? 1.0 : depth)) {
+        float behind = flat_ ? (depth - 1.0) * indirect_view.x - origin.from.z - s * way.z
+            : seen.z * depth - indirect_view.x;
+        if (shown && depth > 0.0 && behind > 0.0 &&
+            behind <= indirect_models.y * (flat_ ? 1.0 : depth)) {
             found = s;
             hit.pixel = pixel;
         }
@@ -110,7 +115,8 @@ IndirectHit indirectMeet(IndirectOrigin origin, vec3 way, float less)
 #ifdef INDIRECT_NEAR
     if (indirectShownNear(origin, way, less, hit)) {
 #if defined INDIRECT_RADIANCE && RADIANCE_TEXELS > 2
-        RadianceRay ray = RadianceRay(origin.place, origin.place, voxelDirection(way), hit.t * indirect_reach.x, false);
+        RadianceRay ray = RadianceRay(origin.place, origin.place, voxelDirection(way),
+            hit.t * indirect_reach.x, false);
         RadianceSum sum = radianceEnd(ray);
         hit.sent = sum.further / max(sum.weight, 1e-6);
 #endif
@@ -121,7 +127,9 @@ IndirectHit indirectMeet(IndirectOrigin origin, vec3 way, float less)
 #ifdef INDIRECT_PLANES
     float far = hit.t < 0.0 ? indirect_reach.x : min(hit.t, 1.0) * indirect_reach.x;
     int plane = indirectPlane(origin.point, way, far);
-    if (plane >= 0) return IndirectHit(far / indirect_reach.x, indirectShown(plane, origin.point + far * way), vec3(0.0));
+    if (plane >= 0)
+        return IndirectHit(far / indirect_reach.x, indirectShown(plane, origin.point + far * way),
+            vec3(0.0));
 #endif
     return hit;
 }

@@ -82,7 +82,8 @@ IndirectHit indirectMeet(IndirectOrigin origin, vec3 way, float less)
 {
     float t;
     vec3 whole = indirect_reach.x * way;
-    if (!voxelMarch(voxelPlace(origin.from), voxelDirection(whole), INDIRECT_STEPS, -less, t)) return IndirectHit(-1.0, ivec2(0), vec3(0.0));
+    if (!voxelMarch(voxelPlace(origin.from), voxelDirection(whole), INDIRECT_STEPS, -less, t))
+        return IndirectHit(-1.0, ivec2(0), vec3(0.0));
     vec3 end = origin.from + t * whole;
     vec2 place = indirectPlace(end);
     bool shown = (indirectIsOrthographic() || -end.z > indirect_view.x) && indirectIsShown(place);
@@ -91,6 +92,7 @@ IndirectHit indirectMeet(IndirectOrigin origin, vec3 way, float less)
 #else
 IndirectHit indirectMeet(IndirectOrigin origin, vec3 way, float less)
 {
-    return indirectMarch(origin.from, indirect_reach.x * way, less, vec4(origin.point, indirect_reach.x + origin.lift));
+    return indirectMarch(origin.from, indirect_reach.x * way, less,
+        vec4(origin.point, indirect_reach.x + origin.lift));
 }
 #endif

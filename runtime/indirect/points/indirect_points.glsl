@@ -13,7 +13,8 @@ vec4 indirectAround(ivec2 pixel, IndirectShift shift, vec3 point, vec3 normal, o
     open = vec3(0.0);
     indirectBasis(normal, u, v);
     for (int i = 0; i < INDIRECT_RAYS; i++) {
-        vec3 local = indirectDirection(indirectSample(i, shift)), way = local.x * u + local.y * v + local.z * normal;
+        vec3 local = indirectDirection(indirectSample(i, shift)), way = local.x * u + local.y * v +
+            local.z * normal;
         float s = pow(fract(indirect_samples[i].z + shift.at.z + shift.more.z), 1.0 / 3.0);
         vec3 place = from + s * indirect_reach.x * way;
         open += way;
@@ -21,7 +22,8 @@ vec4 indirectAround(ivec2 pixel, IndirectShift shift, vec3 point, vec3 normal, o
         if (!voxelAt(voxelPlace(place))) continue;
 #else
         vec2 at = indirectPlace(place);
-        if ((!indirectIsOrthographic() && -place.z <= indirect_view.x) || !indirectIsShown(at)) continue;
+        if ((!indirectIsOrthographic() && -place.z <= indirect_view.x) || !indirectIsShown(at))
+            continue;
         float depth = texelFetch(indirect_depth, ivec2(at), 0).x;
         if (depth <= 0.0 || !indirectIsBehind(place, depth)) continue;
 #ifdef INDIRECT_CHECKED

@@ -38,7 +38,8 @@ vec3 radianceNormal(float packed_)
 uint radianceWord(ivec3 at)
 {
     if (any(lessThan(at, ivec3(0))) || any(greaterThanEqual(at, ivec3(radiance_size)))) return 0u;
-    return texelFetch(radiance_faces, RADIANCE_HEAD + (at.z * radiance_size + at.y) * radiance_size + at.x).x;
+    return texelFetch(radiance_faces,
+        RADIANCE_HEAD + (at.z * radiance_size + at.y) * radiance_size + at.x).x;
 }
 
 // Adds a node hit along the unit vector `way`, if its front faces the ray, `point` lies before its
@@ -49,7 +50,9 @@ void radianceAdd(int node, vec3 point, vec3 way, inout RadianceSum sum)
     vec3 normal = radianceNormal(first.w);
     float share = -dot(normal, way);
     vec4 second = texelFetch(radiance_kept, node + 1);
-    if (first.w < 0.0 || share <= 0.0 || dot(normal, point) * inversesqrt(dot(normal, normal)) <= second.w) return;
+    if (first.w < 0.0 || share <= 0.0 ||
+        dot(normal, point) * inversesqrt(dot(normal, normal)) <= second.w)
+        return;
     sum.direct += share * first.xyz;
 #if RADIANCE_TEXELS > 2
     sum.further += share * second.xyz;
@@ -65,7 +68,8 @@ RadianceSum radianceEnd(inout RadianceRay ray)
     const float beside = 0.01;
     const uint sides = 63u;
     float scale = 1.0 / float(1 << radiance_shift);
-    vec3 place = scale * (ray.start + max(ray.t, 0.0) * ray.way), point = scale * ray.point, way = normalize(ray.way);
+    vec3 place = scale * (ray.start + max(ray.t, 0.0) * ray.way), point = scale * ray.point,
+        way = normalize(ray.way);
     vec3 step_ = beside * way / max(max(abs(way.x), abs(way.y)), abs(way.z));
     ivec3 at = ivec3(floor(place + step_)), before = ivec3(floor(place - step_));
     RadianceSum sum = RadianceSum(vec3(0.0), vec3(0.0), 0.0), begun = sum;
@@ -73,13 +77,16 @@ RadianceSum radianceEnd(inout RadianceRay ray)
     do {
         uvec3 words = uvec3(0u);
         if (around == 0 && ray.full) words.x = radianceWord(ivec3(floor(scale * ray.start)));
-        if (ray.t >= 0.0) words.y = radianceWord(around == 0 ? at : at + ivec3((around - 1) % 3, (around - 1) / 3 % 3, (around - 1) / 9) - 1);
+        if (ray.t >= 0.0)
+            words.y = radianceWord(around == 0 ? at
+                : at + ivec3((around - 1) % 3, (around - 1) / 3 % 3, (around - 1) / 9) - 1);
         if (ray.t >= 0.0 && around == 0 && before != at) words.z = radianceWord(before);
         ivec3 nodes = ivec3(words >> 6u);
         words &= sides;
         for (uint left = words.x | words.y << 6 | words.z << 12; left != 0u; left &= left - 1u) {
             bool first = (left & sides) != 0u, last = (left & (sides << 6 | sides)) == 0u;
-            radianceAdd((first ? nodes.x : last ? nodes.z : nodes.y) * RADIANCE_TEXELS, point, way, sum);
+            radianceAdd((first ? nodes.x : last ? nodes.z : nodes.y) * RADIANCE_TEXELS, point, way,
+                sum);
             nodes += ivec3(first, !first && !last, last);
             if ((left & (left - 1u) & sides) == 0u && first) { // the last node of the start voxel
                 begun = sum;
@@ -87,7 +94,8 @@ RadianceSum radianceEnd(inout RadianceRay ray)
             }
         }
         around++;
-    } while (radiance_shift > 0 && ray.t >= 0.0 && begun.weight <= 0.0 && sum.weight <= 0.0 && around <= 27);
+    } while (radiance_shift > 0 && ray.t >= 0.0 && begun.weight <= 0.0 && sum.weight <= 0.0 &&
+        around <= 27);
     if (begun.weight > 0.0) {
         ray.t = 0.0;
         return begun;

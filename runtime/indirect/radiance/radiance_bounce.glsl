@@ -10,7 +10,8 @@ vec3 bounceDirection(int ray, uint seed, vec3 normal)
     uint random = seed * 747796405u + 2891336453u; // O'Neill's PCG
     random = ((random >> (random >> 28 & 15u) + 4u) ^ random) * 277803737u;
     random ^= random >> 22;
-    vec2 s = fract(vec2(float(ray) / float(RADIANCE_RAYS), float(bitfieldReverse(uint(ray)) >> 8) / 16777216.0) +
+    vec2 s = fract(vec2(float(ray) / float(RADIANCE_RAYS),
+        float(bitfieldReverse(uint(ray)) >> 8) / 16777216.0) +
                    vec2(random & 65535u, random >> 16) / 65536.0);
     vec3 u, v;
     indirectBasis(normal, u, v);

@@ -20,7 +20,8 @@ uniform mat4 radiance_eye; // eye space from voxels
 float radianceDirection(vec3 n)
 {
     n /= abs(n.x) + abs(n.y) + abs(n.z);
-    vec2 folded = n.z < 0.0 ? (1.0 - abs(n.yx)) * vec2(n.x < 0.0 ? -1.0 : 1.0, n.y < 0.0 ? -1.0 : 1.0) : n.xy;
+    vec2 folded = n.z < 0.0 ? (1.0 - abs(n.yx)) *
+        vec2(n.x < 0.0 ? -1.0 : 1.0, n.y < 0.0 ? -1.0 : 1.0) : n.xy;
     vec2 whole = floor((folded * 0.5 + 0.5) * 4095.0 + 0.5);
     return whole.x + 4096.0 * whole.y;
 }
@@ -31,7 +32,8 @@ bool radianceIsBuried(uint node, vec3 place)
     bool body = (radiance_nodes[node] & RADIANCE_BODY) != 0u;
     vec3 fine = float(1 << radiance_shift) * place;
     ivec3 before = ivec3(fine);
-    before[axis] = body ? int(floor(fine[axis] + 0.5)) - 1 + side : int(floor(fine[axis])) - 1 + 2 * side;
+    before[axis] = body ? int(floor(fine[axis] + 0.5)) - 1 + side : int(floor(fine[axis])) - 1 +
+        2 * side;
     return voxelAt(vec3(before) + 0.5);
 }
 
@@ -53,10 +55,13 @@ void main()
     surface.normal = normalize(mat3(radiance_eye) * normal);
 #endif
     vec3 turned = normalize(mat3(radiance_eye) * normal);
-    Seen seen = Seen(ivec2(0), (radiance_eye * vec4(place, 1.0)).xyz, pixel * length(radiance_eye[0].xyz),
+    Seen seen = Seen(ivec2(0), (radiance_eye * vec4(place, 1.0)).xyz,
+        pixel * length(radiance_eye[0].xyz),
                      surfaceMatt(surfaceLit(surface, turned)));
-    vec3 light = (lightIsFirst() ? lightEven(seen) : radiance_texels[first].xyz) + lightFromAll(seen);
-    radiance_texels[first] = vec4(light, away || radianceIsBuried(node, place) ? -1.0 : radianceDirection(normal));
+    vec3 light = (lightIsFirst() ? lightEven(seen) : radiance_texels[first].xyz) +
+        lightFromAll(seen);
+    radiance_texels[first] = vec4(light, away || radianceIsBuried(node, place) ? -1.0
+        : radianceDirection(normal));
     radiance_texels[first + 1u] = vec4(vec3(0.0), dot(normal, place));
 #if RADIANCE_TEXELS > 2
     radiance_texels[first + 2u] = vec4(surfaceEven(seen.m), 0.0);

@@ -11,7 +11,8 @@ uniform int radiance_size, radiance_stride;
 
 void main()
 {
-    uint voxel = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * 64u + gl_LocalInvocationIndex;
+    uint voxel = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * 64u +
+        gl_LocalInvocationIndex;
     if (voxel >= uint(radiance_size * radiance_size * radiance_size)) return;
     uint sides = radiance_faces[voxel] & 63u, count = uint(bitCount(sides));
     if (sides == 0u) return;

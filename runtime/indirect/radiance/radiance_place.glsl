@@ -16,14 +16,16 @@ const uint RADIANCE_PLACE = 0x3FFFFFFFu; // in a node's first word: the voxel ti
 
 uint radianceNumber()
 {
-    return (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * 64u + gl_LocalInvocationIndex;
+    return (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * 64u +
+        gl_LocalInvocationIndex;
 }
 
 // Position of a node in voxels, `size` along an edge: on the line along the node's axis through the
 // voxel's center, at the stored depth.
 vec3 radiancePlace(uint node, int size)
 {
-    int voxel = int((radiance_nodes[node] & RADIANCE_PLACE) >> 3), side = int(radiance_nodes[node] & 7u);
+    int voxel = int((radiance_nodes[node] & RADIANCE_PLACE) >> 3),
+        side = int(radiance_nodes[node] & 7u);
     float depth = uintBitsToFloat(0x3F800001u - radiance_nodes[node + 1u]);
     vec3 place = vec3(voxel % size, voxel / size % size, voxel / size / size) + 0.5;
     place[side >> 1] = ((side & 1) == 1 ? 1.0 - depth : depth) * float(size);

@@ -19,10 +19,12 @@ const uint RADIANCE_KEPT = 0x40000000u; // in a node's first word: its surface i
 
 void main()
 {
-    float depth = clamp(gl_FragCoord.z, 0.0, 1.0), along = (radiance_side & 1) == 1 ? 1.0 - depth : depth;
+    float depth = clamp(gl_FragCoord.z, 0.0, 1.0), along = (radiance_side & 1) == 1 ? 1.0 - depth
+        : depth;
     ivec3 seen = clamp(ivec3(gl_FragCoord.xy, along * float(radiance_size)), 0, radiance_size - 1);
     ivec3 at = radiance_side < 2 ? seen.zxy : radiance_side < 4 ? seen.yzx : seen;
-    uint voxel = uint((at.z * radiance_size + at.y) * radiance_size + at.x), side = 1u << uint(radiance_side);
+    uint voxel = uint((at.z * radiance_size + at.y) * radiance_size + at.x),
+        side = 1u << uint(radiance_side);
     if (radiance_step == 0) {
         atomicOr(radiance_faces[voxel], side);
         return;
@@ -38,7 +40,10 @@ void main()
     // If several fragments have the same depth, only the first is stored: a mix of words from two
     // would be no valid surface.
     uint place = voxel << 3 | uint(radiance_side);
-    if (atomicCompSwap(radiance_nodes[node], place, place | RADIANCE_KEPT | uint(radiance_body) << 31) != place) return;
+    if (atomicCompSwap(radiance_nodes[node], place,
+        place | RADIANCE_KEPT | uint(radiance_body) << 31) != place)
+        return;
     uint packed_words[] = uint[](LISTS_PACK);
-    for (int i = 0; i < packed_words.length(); i++) radiance_nodes[node + 2u + uint(i)] = packed_words[i];
+    for (int i = 0; i < packed_words.length(); i++)
+        radiance_nodes[node + 2u + uint(i)] = packed_words[i];
 }

@@ -36,4 +36,7 @@ void aroundAdd(vec3 light, float let, inout Around around)
 }
 
 // Correlation term to add to the light of surfaces; `open` is the mean transmittance.
-vec3 aroundBeside(Around around, float open) { return around_share * (around.let - open * around.all); }
+vec3 aroundBeside(Around around, float open)
+{
+    return around_share * (around.let - open * around.all);
+}

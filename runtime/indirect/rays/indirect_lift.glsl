@@ -5,7 +5,8 @@ float indirectLift(vec3 point, vec3 normal)
 {
 #ifdef INDIRECT_VOXELS
     vec3 place = voxelPlace(point), up = voxelDirection(normal);
-    return indirect_reach.y > 0.0 ? indirect_reach.y : distance(voxelStart(place, normalize(up)), place) / length(up);
+    return indirect_reach.y > 0.0 ? indirect_reach.y
+        : distance(voxelStart(place, normalize(up)), place) / length(up);
 #else
     return indirect_reach.y + indirect_reach.z * indirectPixelSize(point);
 #endif

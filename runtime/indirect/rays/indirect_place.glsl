@@ -18,7 +18,8 @@ bool indirectIsOrthographic() { return indirect_view.y > 0.0; }
 vec3 indirectPoint(ivec2 pixel, float depth)
 {
     vec3 ray = vec3((vec2(2 * pixel + 1) - indirect_ray.zw) * indirect_ray.xy, -1.0);
-    return indirectIsOrthographic() ? vec3(ray.xy, (depth - 1.0) * indirect_view.x) : ray * (indirect_view.x / depth);
+    return indirectIsOrthographic() ? vec3(ray.xy, (depth - 1.0) * indirect_view.x)
+        : ray * (indirect_view.x / depth);
 }
 
 // Position in the picture of a point before the eye.
@@ -30,7 +31,10 @@ vec2 indirectPlace(vec3 point)
 
 // Lower bound of the picture within the tile: the guard band may extend past the picture's border.
 vec2 indirectLow() { return max(-indirect_models.zw, vec2(0.0)); }
-bool indirectIsShown(vec2 place) { return all(greaterThanEqual(place, indirectLow())) && all(lessThan(place, indirect_picture.xy)); }
+bool indirectIsShown(vec2 place)
+{
+    return all(greaterThanEqual(place, indirectLow())) && all(lessThan(place, indirect_picture.xy));
+}
 
 // Width of a pixel in eye-space units, at a point.
 float indirectPixelSize(vec3 point)
@@ -41,7 +45,8 @@ float indirectPixelSize(vec3 point)
 // Reports whether a point lies behind the surface of a pixel.
 bool indirectIsBehind(vec3 point, float depth)
 {
-    return indirectIsOrthographic() ? point.z < (depth - 1.0) * indirect_view.x : -point.z * depth > indirect_view.x;
+    return indirectIsOrthographic() ? point.z < (depth - 1.0) * indirect_view.x : -point.z * depth >
+        indirect_view.x;
 }
 
 // Hashes a pair of integers to two numbers in [0, 1): O'Neill's PCG in two dimensions (Jarzynski
@@ -95,7 +100,8 @@ IndirectShift indirectShift(ivec2 here, int number)
     more.xy = indirectSobol(uint(number * INDIRECT_BLOCK));
 #endif
 #ifdef INDIRECT_ROTATION_blue
-    return IndirectShift(vec3(indirectBlue(pixel), indirectBlue(pixel + ivec2(21, 43)), indirectBlue(pixel + ivec2(43, 21))), more);
+    return IndirectShift(vec3(indirectBlue(pixel), indirectBlue(pixel + ivec2(21, 43)),
+        indirectBlue(pixel + ivec2(43, 21))), more);
 #elif defined INDIRECT_ROTATION_tile
     ivec2 low = pixel & (INDIRECT_TILE - 1);
     return IndirectShift(indirect_shifts[low.y * INDIRECT_TILE + low.x].xyz, more);
@@ -116,7 +122,8 @@ IndirectShift indirectShift(ivec2 here, int number)
 vec2 indirectSample(int i, IndirectShift shift)
 {
 #ifdef INDIRECT_TURNS_BITS
-    return vec2(uvec2(65536.0 * indirect_samples[i].xy) ^ uvec2(65536.0 * shift.at.xy) ^ uvec2(65536.0 * shift.more.xy)) / 65536.0;
+    return vec2(uvec2(65536.0 * indirect_samples[i].xy) ^ uvec2(65536.0 *
+        shift.at.xy) ^ uvec2(65536.0 * shift.more.xy)) / 65536.0;
 #else
     return fract(indirect_samples[i].xy + shift.at.xy + shift.more.xy);
 #endif
@@ -165,7 +172,10 @@ struct IndirectHit {
 };
 
 // Pixel of the picture from which a pixel of the ray pass traces its rays.
-ivec2 indirectPixel(ivec2 small) { return min(small * INDIRECT_COARSE + INDIRECT_COARSE / 2, ivec2(indirect_picture.xy) - 1); }
+ivec2 indirectPixel(ivec2 small)
+{
+    return min(small * INDIRECT_COARSE + INDIRECT_COARSE / 2, ivec2(indirect_picture.xy) - 1);
+}
 
 #ifdef INDIRECT_LIGHT
 uniform sampler2D indirect_light;
@@ -180,7 +190,8 @@ vec3 indirectSent(ivec2 pixel, vec3 way)
     if (dot(indirectNormal(pixel), way) >= 0.0) return vec3(0.0);
     vec3 light = texelFetch(indirect_light, pixel, 0).xyz;
 #ifdef INDIRECT_AGAIN
-    light += surfaceEven(surfaceLit(unpackSurface(pixel), -normalize(way))) * texelFetch(indirect_before, pixel, 0).xyz;
+    light += surfaceEven(surfaceLit(unpackSurface(pixel), -normalize(way))) *
+        texelFetch(indirect_before, pixel, 0).xyz;
 #endif
     return light;
 }

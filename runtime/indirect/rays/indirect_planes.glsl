@@ -28,19 +28,23 @@ int indirectPlane(vec3 point, vec3 way, inout float far)
 
 bool indirectShows(int plane, ivec2 pixel)
 {
-    if (any(lessThan(pixel, ivec2(0))) || any(greaterThanEqual(pixel, ivec2(indirect_picture.xy)))) return false;
+    if (any(lessThan(pixel, ivec2(0))) || any(greaterThanEqual(pixel, ivec2(indirect_picture.xy))))
+        return false;
     float depth = texelFetch(indirect_depth, pixel, 0).x;
-    return depth > 0.0 && indirectOffPlane(indirect_planes[plane], indirectPoint(pixel, depth)) == 0.0;
+    return depth > 0.0 && indirectOffPlane(indirect_planes[plane], indirectPoint(pixel, depth)) ==
+        0.0;
 }
 
 // Pixel that shows a plane's point, or the adjacent one if an object on the plane covers it; x -2:
 // none.
 ivec2 indirectShown(int plane, vec3 point)
 {
-    const ivec2 beside[5] = ivec2[5](ivec2(0), ivec2(-1, 0), ivec2(1, 0), ivec2(0, -1), ivec2(0, 1));
+    const ivec2 beside[5] = ivec2[5](ivec2(0), ivec2(-1, 0), ivec2(1, 0), ivec2(0, -1),
+        ivec2(0, 1));
     if (!indirectIsOrthographic() && -point.z <= indirect_view.x) return ivec2(-2);
     vec2 place = clamp(indirectPlace(point), vec2(-2.0), indirect_picture.xy + 2.0);
     for (int i = 0; i < 5; i++)
-        if (indirectShows(plane, ivec2(floor(place)) + beside[i])) return ivec2(floor(place)) + beside[i];
+        if (indirectShows(plane, ivec2(floor(place)) + beside[i]))
+            return ivec2(floor(place)) + beside[i];
     return ivec2(-2);
 }

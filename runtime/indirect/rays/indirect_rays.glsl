@@ -13,7 +13,8 @@ vec4 indirectAround(ivec2 pixel, IndirectShift shift, vec3 point, vec3 normal, o
     for (int i = 0; i < INDIRECT_RAYS; i++) {
         vec3 local = indirectDirection(indirectSample(i, shift));
         vec3 way = local.x * u + local.y * v + local.z * normal;
-        IndirectHit hit = indirectMeet(origin, way, INDIRECT_JITTER * fract(shift.at.z + shift.more.z + 0.618034 * float(i)));
+        IndirectHit hit = indirectMeet(origin, way,
+            INDIRECT_JITTER * fract(shift.at.z + shift.more.z + 0.618034 * float(i)));
         bool met = hit.t >= 0.0;
         float off = met ? indirectWeight(hit.t) : 0.0;
         kept += off;

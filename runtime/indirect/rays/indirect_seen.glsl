@@ -5,11 +5,13 @@
 vec4 passPixel(ivec2 pixel)
 {
     ivec2 middle = ivec2(indirect_picture.xy) / 2;
-    float depth = texelFetch(indirect_depth, pixel, 0).x, there = texelFetch(indirect_depth, middle, 0).x;
+    float depth = texelFetch(indirect_depth, pixel, 0).x,
+        there = texelFetch(indirect_depth, middle, 0).x;
     if (depth <= 0.0) return vec4(0.0, 0.0, 0.0, 1.0);
     if (all(lessThan(abs(pixel - middle), ivec2(3)))) return vec4(1.0, 0.0, 0.0, 1.0);
     vec3 point = indirectPoint(pixel, depth), normal = indirectNormal(pixel);
-    float shade = 0.3 + 0.7 * abs(dot(normal, indirectIsOrthographic() ? vec3(0.0, 0.0, 1.0) : normalize(point)));
+    float shade = 0.3 +
+        0.7 * abs(dot(normal, indirectIsOrthographic() ? vec3(0.0, 0.0, 1.0) : normalize(point)));
     if (there <= 0.0) return vec4(vec3(0.5 * shade), 1.0);
     vec3 from = indirectPoint(middle, there), own = indirectNormal(middle), way = point - from;
     float far = length(way), radius = indirect_reach.x;

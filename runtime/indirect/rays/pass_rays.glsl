@@ -18,7 +18,8 @@ vec4 passPixel(ivec2 small)
 #endif
     for (int i = 0; i < INDIRECT_SAMPLES; i++) {
         vec3 ways;
-        around += indirectAround(pixel, indirectShift(pixel, first + i), point, normal, ways) / float(INDIRECT_SAMPLES);
+        around += indirectAround(pixel, indirectShift(pixel, first + i), point, normal, ways) /
+            float(INDIRECT_SAMPLES);
         open += ways;
     }
 #ifdef INDIRECT_BENT

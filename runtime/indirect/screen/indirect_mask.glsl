@@ -14,7 +14,10 @@
 // Worked example: viewed from above, g = 0, a wall that covers t from 60 to 90 degrees. The
 // primitive is (1 - cos 2t) / 4: 3/8 at 60 and 1/2 at 90 degrees, on this side a fourth of 1/2: 4
 // bits of 32.
-float indirectPrimitive(float t, float g) { return 0.25 * (cos(g) - cos(2.0 * t - g)) + 0.5 * t * sin(g); }
+float indirectPrimitive(float t, float g)
+{
+    return 0.25 * (cos(g) - cos(2.0 * t - g)) + 0.5 * t * sin(g);
+}
 
 struct IndirectSlice {
     vec3 sight, aside; // unit vectors, perpendicular; the slice extends to both sides of `sight`
@@ -51,7 +54,8 @@ float indirectCount(uint bits)
 
 vec4 indirectAround(ivec2 pixel, IndirectShift shifts, vec3 point, vec3 normal, out vec3 open)
 {
-    vec3 sight = indirectIsOrthographic() ? vec3(0.0, 0.0, 1.0) : -normalize(point), light = vec3(0.0);
+    vec3 sight = indirectIsOrthographic() ? vec3(0.0, 0.0, 1.0) : -normalize(point),
+        light = vec3(0.0);
     vec3 shift = fract(shifts.at + shifts.more);
     float kept = 0.0, sum = 0.0;
     vec3 from = point + (indirect_reach.y + indirect_reach.z * indirectPixelSize(point)) * normal;
@@ -74,10 +78,13 @@ vec4 indirectAround(ivec2 pixel, IndirectShift shifts, vec3 point, vec3 normal, 
         uint bits = 0u;
         for (int side = -1; side <= 1; side += 2) {
             vec3 end = point + indirect_reach.x * float(side) * slice.aside;
-            if (!indirectIsOrthographic() && end.z > -indirect_view.x) end = mix(point, end, (-indirect_view.x * 1.001 - point.z) / (end.z - point.z));
+            if (!indirectIsOrthographic() && end.z > -indirect_view.x)
+                end = mix(point, end, (-indirect_view.x * 1.001 - point.z) / (end.z - point.z));
             vec2 whole = indirectPlace(end) - middle;
             for (int j = 0; j < INDIRECT_STEPS; j++) {
-                float s = (float(j) + 1.0 - INDIRECT_JITTER * fract(shift.z + 0.618034 * float(2 * i + (side + 1) / 2))) / float(INDIRECT_STEPS);
+                float s = (float(j) + 1.0 - INDIRECT_JITTER *
+                    fract(shift.z + 0.618034 * float(2 * i + (side + 1) / 2))) /
+                    float(INDIRECT_STEPS);
                 vec2 place = middle + s * s * whole;
                 if (!indirectIsShown(place)) break;
                 ivec2 at = ivec2(place);
@@ -88,8 +95,11 @@ vec4 indirectAround(ivec2 pixel, IndirectShift shifts, vec3 point, vec3 normal, 
                 if (dot(way, normal) <= 0.0) continue;
                 float far = length(way);
                 if (far > indirect_reach.x) continue;
-                float a = indirectSector(slice, indirectAngle(way, slice, float(side))), b = indirectSector(slice, indirectAngle(way - indirect_models.y * sight, slice, float(side)));
-                uint more = indirectBits(min(a, b) + fract(shift.y), max(a, b) + fract(shift.y)) & ~bits;
+                float a = indirectSector(slice, indirectAngle(way, slice, float(side))),
+                    b = indirectSector(slice, indirectAngle(way - indirect_models.y * sight, slice,
+                    float(side)));
+                uint more = indirectBits(min(a, b) + fract(shift.y),
+                    max(a, b) + fract(shift.y)) & ~bits;
                 bits |= more;
                 float part = share * indirectCount(more) / 32.0;
                 kept += part * indirectWeight(far / indirect_reach.x);
@@ -102,14 +112,16 @@ vec4 indirectAround(ivec2 pixel, IndirectShift shifts, vec3 point, vec3 normal, 
         for (int b = 0; b < 32; b++) {
             // approximate center of the sector
             float t = slice.g + 3.14159265358979 * ((float(b) + 0.5) / 32.0 - 0.5);
-            if ((bits >> uint(b) & 1u) == 0u) open += share * (cos(t) * sight + sin(t) * slice.aside);
+            if ((bits >> uint(b) & 1u) == 0u)
+                open += share * (cos(t) * sight + sin(t) * slice.aside);
         }
 #endif
 #ifdef INDIRECT_AROUND
         for (int b = 0; b < 4; b++) {
             // center of eight sectors
             float t = slice.g + 3.14159265358979 * ((float(b) + 0.5) / 4.0 - 0.5);
-            aroundAdd(0.25 * share * aroundAt(cos(t) * sight + sin(t) * slice.aside), indirectCount(~bits >> uint(8 * b) & 0xFFu) / 8.0, around);
+            aroundAdd(0.25 * share * aroundAt(cos(t) * sight + sin(t) * slice.aside),
+                indirectCount(~bits >> uint(8 * b) & 0xFFu) / 8.0, around);
         }
 #endif
         sum += share;

@@ -18,13 +18,16 @@ const float STEEPEST = 1.0 / 16.0; // min cosine between a triangle's normal and
 vec3 pointOf(ivec2 pixel, float depth)
 {
     vec3 ray = vec3((vec2(2 * pixel + 1) - positions_ray.zw) * positions_ray.xy, -1.0);
-    return positions_view.y > 0.0 ? vec3(ray.xy, (depth - 1.0) * positions_view.x) : ray * (positions_view.x / depth);
+    return positions_view.y > 0.0 ? vec3(ray.xy, (depth - 1.0) * positions_view.x)
+        : ray * (positions_view.x / depth);
 }
 
 void main()
 {
-    const ivec2 corners[6] = ivec2[6](ivec2(0, 0), ivec2(1, 0), ivec2(1, 1), ivec2(0, 0), ivec2(1, 1), ivec2(0, 1));
-    int across = textureSize(positions_depth, 0).x - 1, square = gl_VertexID / 6, corner = gl_VertexID % 6;
+    const ivec2 corners[6] = ivec2[6](ivec2(0, 0), ivec2(1, 0), ivec2(1, 1), ivec2(0, 0),
+        ivec2(1, 1), ivec2(0, 1));
+    int across = textureSize(positions_depth, 0).x - 1, square = gl_VertexID / 6,
+        corner = gl_VertexID % 6;
     ivec2 low = ivec2(square % across, square / across);
     vec3 points[3];
     bool there = true;
@@ -38,7 +41,8 @@ void main()
     vec3 sight = positions_view.y > 0.0 ? vec3(0.0, 0.0, 1.0) : normalize(points[0]);
     position_known = abs(dot(normal, sight)) < STEEPEST * length(normal) ? 0.0 : 1.0;
     position = positions_turn * (points[corner % 3] - positions_middle.xyz) + positions_middle.xyz;
-    gl_Position = there ? vec4(positions_clip.xy * position.xy, positions_clip.z * position.z + positions_clip.w,
+    gl_Position = there ? vec4(positions_clip.xy * position.xy, positions_clip.z * position.z +
+        positions_clip.w,
                                positions_w.x * position.z + positions_w.y)
                         : vec4(2.0, 2.0, 2.0, 1.0);
 }

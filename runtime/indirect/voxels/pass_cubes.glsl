@@ -12,7 +12,8 @@ vec3 cubesDirection(vec3 eye)
 
 vec4 passPixel(ivec2 pixel)
 {
-    const vec3 colors[4] = vec3[4](vec3(0.9, 0.25, 0.2), vec3(0.3, 0.75, 0.25), vec3(0.25, 0.4, 0.9), vec3(0.75));
+    const vec3 colors[4] = vec3[4](vec3(0.9, 0.25, 0.2), vec3(0.3, 0.75, 0.25),
+        vec3(0.25, 0.4, 0.9), vec3(0.75));
     const float shades[4] = float[4](0.55, 0.75, 1.0, 0.3);
     bool orthographic = cubes_view.y > 0.0;
     vec2 place = (vec2(2 * pixel + 1) - cubes_ray.zw) * cubes_ray.xy;

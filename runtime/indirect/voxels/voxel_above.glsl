@@ -6,6 +6,8 @@ void main()
 {
     ivec2 at = 2 * ivec2(gl_FragCoord.xy);
     for (int layer = 0; layer < VOXEL_LAYERS; layer++)
-        voxels[layer] = texelFetch(voxel_below, ivec3(at, layer), 0) | texelFetch(voxel_below, ivec3(at + ivec2(1, 0), layer), 0) |
-                        texelFetch(voxel_below, ivec3(at + ivec2(0, 1), layer), 0) | texelFetch(voxel_below, ivec3(at + ivec2(1, 1), layer), 0);
+        voxels[layer] = texelFetch(voxel_below, ivec3(at, layer), 0) | texelFetch(voxel_below,
+            ivec3(at + ivec2(1, 0), layer), 0) |
+                        texelFetch(voxel_below, ivec3(at + ivec2(0, 1), layer),
+                            0) | texelFetch(voxel_below, ivec3(at + ivec2(1, 1), layer), 0);
 }

@@ -18,12 +18,14 @@ int brickPlace(ivec3 at, int log_)
 void bricksOfMap(ivec3 at)
 {
     uvec4 columns[16];
-    for (int i = 0; i < 16; i++) columns[i] = texelFetch(brick_map, ivec3(4 * at.xy + ivec2(i & 3, i >> 2), at.z), 0);
+    for (int i = 0; i < 16; i++)
+        columns[i] = texelFetch(brick_map, ivec3(4 * at.xy + ivec2(i & 3, i >> 2), at.z), 0);
     for (int z = 0; z < min(1 << brick_log, 32); z++) {
         uvec2 brick = uvec2(0u);
         for (int i = 0; i < 16; i++) {
             uint four = columns[i][z >> 3] >> uint(4 * (z & 7));
-            brick |= (uvec2(four & 1u, four >> 2u & 1u) | uvec2(four >> 1u & 1u, four >> 3u & 1u) << 16u) << uint(i);
+            brick |= (uvec2(four & 1u, four >> 2u & 1u) | uvec2(four >> 1u & 1u,
+                four >> 3u & 1u) << 16u) << uint(i);
         }
         bricks[brickPlace(ivec3(at.xy, 32 * at.z + z), brick_log)] = brick;
     }
@@ -44,7 +46,8 @@ void brickAbove(ivec3 at)
     uvec2 brick = uvec2(0u);
     for (int i = 0; i < 8; i++) {
         uvec2 below = bricks[brickPlace(2 * at + ivec3(i & 1, i >> 1 & 1, i >> 2), brick_log + 1)];
-        brick[i >> 2] |= (brickQuarter(below.x) | brickQuarter(below.y) << 16u) << uint(2 * (i & 1) + 8 * (i >> 1 & 1));
+        brick[i >> 2] |= (brickQuarter(below.x) | brickQuarter(below.y) << 16u) << uint(2 *
+            (i & 1) + 8 * (i >> 1 & 1));
     }
     bricks[brickPlace(at, brick_log)] = brick;
 }
@@ -52,7 +55,9 @@ void brickAbove(ivec3 at)
 void main()
 {
     ivec3 at = ivec3(gl_GlobalInvocationID);
-    if (any(greaterThanEqual(at.xy, ivec2(1 << brick_log))) || at.z >= (brick_lowest ? textureSize(brick_map, 0).z : 1 << brick_log)) return;
+    if (any(greaterThanEqual(at.xy, ivec2(1 << brick_log))) ||
+        at.z >= (brick_lowest ? textureSize(brick_map, 0).z : 1 << brick_log))
+        return;
     if (brick_lowest) bricksOfMap(at);
     else brickAbove(at);
 }

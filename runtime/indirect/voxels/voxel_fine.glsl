@@ -27,7 +27,8 @@ vec3 finePlace(uint vertex, int place)
 {
     uint at = vertex * uint(FINE_STRIDE);
     vec4 local = vec4(fine_vertices[at], fine_vertices[at + 1u], fine_vertices[at + 2u], 1.0);
-    precise vec3 made = vec3(dot(fine_places[place], local), dot(fine_places[place + 1], local), dot(fine_places[place + 2], local));
+    precise vec3 made = vec3(dot(fine_places[place], local), dot(fine_places[place + 1], local),
+        dot(fine_places[place + 2], local));
     return made;
 }
 
@@ -43,11 +44,13 @@ void fineSet(ivec3 seen, int axis)
 void fineTouch(ivec2 a, ivec2 b, ivec2 c, vec3 depths, int axis)
 {
     int whole = fineArea(b - a, c - a), turn = sign(whole), last = imageSize(voxel_surface).x - 1;
-    ivec2 low = max((min(a, min(b, c)) + (fine_parts / 2 - 1)) >> 8, 0), high = min((max(a, max(b, c)) - fine_parts / 2) >> 8, last);
+    ivec2 low = max((min(a, min(b, c)) + (fine_parts / 2 - 1)) >> 8, 0),
+        high = min((max(a, max(b, c)) - fine_parts / 2) >> 8, last);
     vec3 slopes = depths / float(whole);
     for (ivec2 at = low; whole != 0 && at.y <= high.y && low.x <= high.x;) {
         ivec2 middle = fine_parts * at + fine_parts / 2;
-        ivec3 areas = ivec3(fineArea(c - b, middle - b), fineArea(a - c, middle - c), fineArea(b - a, middle - a));
+        ivec3 areas = ivec3(fineArea(c - b, middle - b), fineArea(a - c, middle - c),
+            fineArea(b - a, middle - a));
         if (all(greaterThanEqual(turn * areas, ivec3(0))))
             fineSet(ivec3(at, clamp(int(dot(vec3(areas), slopes)), 0, last)), axis);
         at = at.x < high.x ? ivec2(at.x + 1, at.y) : ivec2(low.x, at.y + 1);
@@ -58,9 +61,14 @@ void main()
 {
     int place = 3 * int(gl_WorkGroupID.y);
     uint count = uint(fine_indices.length()) / 3u;
-    for (uint i = gl_GlobalInvocationID.x; i < count; i += gl_NumWorkGroups.x * gl_WorkGroupSize.x) {
-        vec3 a = finePlace(fine_indices[3u * i], place), b = finePlace(fine_indices[3u * i + 1u], place), c = finePlace(fine_indices[3u * i + 2u], place);
-        ivec3 p = ivec3(floor(float(fine_parts) * a + 0.5)), q = ivec3(floor(float(fine_parts) * b + 0.5)), r = ivec3(floor(float(fine_parts) * c + 0.5));
+    for (uint i = gl_GlobalInvocationID.x; i < count;
+        i += gl_NumWorkGroups.x * gl_WorkGroupSize.x) {
+        vec3 a = finePlace(fine_indices[3u * i], place),
+            b = finePlace(fine_indices[3u * i + 1u], place),
+            c = finePlace(fine_indices[3u * i + 2u], place);
+        ivec3 p = ivec3(floor(float(fine_parts) * a + 0.5)),
+            q = ivec3(floor(float(fine_parts) * b + 0.5)),
+            r = ivec3(floor(float(fine_parts) * c + 0.5));
         fineTouch(p.yz, q.yz, r.yz, vec3(a.x, b.x, c.x), 0);
         fineTouch(p.zx, q.zx, r.zx, vec3(a.y, b.y, c.y), 1);
         fineTouch(p.xy, q.xy, r.xy, vec3(a.z, b.z, c.z), 2);

@@ -61,13 +61,15 @@ uvec2 voxelBrick(int number)
 bool voxelIsFull(ivec3 at)
 {
     uvec2 brick = voxelBrick(voxelBrickNumber(at >> 2, 0));
-    return (((at.z & 2) != 0 ? brick.y : brick.x) >> uint((at.x & 3) | (at.y & 3) << 2 | (at.z & 1) << 4) & 1u) != 0u;
+    return (((at.z & 2) != 0 ? brick.y
+        : brick.x) >> uint((at.x & 3) | (at.y & 3) << 2 | (at.z & 1) << 4) & 1u) != 0u;
 }
 
 // Reports whether a position is in a full voxel; outside the grid all voxels are empty.
 bool voxelAt(vec3 place)
 {
-    if (!all(greaterThanEqual(place, vec3(0.0))) || !all(lessThan(place, vec3(voxel_size)))) return false;
+    if (!all(greaterThanEqual(place, vec3(0.0))) || !all(lessThan(place, vec3(voxel_size))))
+        return false;
     return voxelIsFull(ivec3(place));
 }
 
@@ -103,8 +105,10 @@ bool voxelSetOut(vec3 from, vec3 direction, float far, out VoxelWay way)
     way.most = far * way.scale - way.begin;
     // bit comparisons, since compilers assume that floats are never NaN
     uvec3 bits = max(floatBitsToUint(abs(from)), floatBitsToUint(abs(direction)));
-    bool fit = all(lessThan(bits, uvec3(floatBitsToUint(longest)))) && floatBitsToUint(abs(far)) <= 0x7F800000u && way.scale > shortest;
-    return fit && way.begin < longest && way.begin <= min(min(beyond.x, beyond.y), beyond.z) && way.most >= 0.0;
+    bool fit = all(lessThan(bits, uvec3(floatBitsToUint(longest)))) &&
+        floatBitsToUint(abs(far)) <= 0x7F800000u && way.scale > shortest;
+    return fit && way.begin < longest && way.begin <= min(min(beyond.x, beyond.y), beyond.z) &&
+        way.most >= 0.0;
 }
 
 // Lengths along the ray to a plane across each axis.

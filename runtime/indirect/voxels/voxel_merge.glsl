@@ -10,6 +10,7 @@ void main()
     for (int layer = 0; layer < VOXEL_LAYERS; layer++) {
         voxels[layer] = texelFetch(voxel_within, ivec3(at, layer), 0);
         for (int component = 0; component < 4 && 4 * layer + component < words; component++)
-            voxels[layer][component] |= texelFetch(voxel_surface, ivec3(at, 4 * layer + component), 0).x;
+            voxels[layer][component] |= texelFetch(voxel_surface, ivec3(at, 4 * layer + component),
+                0).x;
     }
 }

@@ -43,7 +43,8 @@ bool voxelMeets(vec3 from, vec3 direction, float far, out VoxelMeeting meeting)
     float entered = 0.0;
     int wide = 2, last_read = -1;
     bool own = way.within, met = false; // own: only full voxels so far, in which the ray began
-    for (int steps = 0; !met && steps < most && entered <= way.most && ((at.x | at.y | at.z) & voxel_size) == 0; steps++) {
+    for (int steps = 0; !met && steps < most && entered <= way.most &&
+        ((at.x | at.y | at.z) & voxel_size) == 0; steps++) {
         int level = max(wide - 2, 0);
         ivec3 last = at | ((1 << wide) - 1); // last voxel of the block
         vec3 ends = voxelCrossings(way, vec3(last + 1));
@@ -51,10 +52,12 @@ bool voxelMeets(vec3 from, vec3 direction, float far, out VoxelMeeting meeting)
         // exit voxel, or one voxel before it
         ivec3 next = clamp(ivec3(start + leave * way.along), at, last);
         vec3 passed = voxelCrossings(way, vec3(next + 1));
-        next += ivec3(passed.x < leave || ends.x < min(ends.y, ends.z), passed.y < leave || (passed.y == leave && leave < ends.z), passed.z <= leave);
+        next += ivec3(passed.x < leave || ends.x < min(ends.y, ends.z), passed.y < leave ||
+            (passed.y == leave && leave < ends.z), passed.z <= leave);
         ivec3 here = (at ^ way.turn) >> level, there = (min(next, last) ^ way.turn) >> level;
         int number = voxelBrickNumber(here >> 2, level);
-        uvec2 full = voxelBrick(number) & voxelBox(min(here & 3, there & 3), max(here & 3, there & 3));
+        uvec2 full = voxelBrick(number) & voxelBox(min(here & 3, there & 3),
+            max(here & 3, there & 3));
         bool clear = (full.x | full.y) == 0u;
         meeting.bricks += int(number != last_read);
         last_read = number;

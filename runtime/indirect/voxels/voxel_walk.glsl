@@ -9,7 +9,8 @@ struct VoxelHit {
 
 bool voxelSliceHas(ivec3 at, int level)
 {
-    return (texelFetch(voxel_slices, ivec3(at.xy, at.z >> 7), level)[at.z >> 5 & 3] >> uint(at.z & 31) & 1u) != 0u;
+    return (texelFetch(voxel_slices, ivec3(at.xy, at.z >> 7),
+        level)[at.z >> 5 & 3] >> uint(at.z & 31) & 1u) != 0u;
 }
 
 // Walks from a position along a direction, at most `far` times its length. On a coarser level
@@ -26,7 +27,8 @@ VoxelHit voxelWalk(vec3 from, vec3 direction, float far, int level, bool own)
     own = own && way.within;
     for (int steps = 1;; steps++) {
         bool full = voxelSliceHas(at ^ turn, level);
-        if (full && !own) return VoxelHit(min((way.begin + entered) / way.scale, far), at ^ turn, axis, steps);
+        if (full && !own)
+            return VoxelHit(min((way.begin + entered) / way.scale, far), at ^ turn, axis, steps);
         own = own && full;
         vec3 lengths = voxelCrossings(way, vec3((at + 1) << shift));
         axis = voxelFirst(lengths);

@@ -34,11 +34,15 @@ const int VOLUME_CORNERS[210] = int[210](
     // two, on opposite segments 0 and 2
     0, 1, 8, 0, 8, 9, 1, 2, 7, 1, 7, 8, 2, 3, 6, 2, 6, 7, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
     // three, not on segment 2: the centers 0 and 1 are cut off
-    0, 1, 11, 2, 3, 4, 6, 9, 10, 6, 10, 5, 10, 11, 1, 10, 1, 2, 10, 2, 4, 10, 4, 5, 0, 0, 0, 0, 0, 0,
+    0, 1, 11, 2, 3, 4, 6, 9, 10, 6, 10, 5, 10, 11, 1, 10, 1, 2, 10, 2, 4, 10, 4, 5, 0, 0, 0, 0, 0,
+        0,
     // four: the centers 0 and 2 are cut off
     0, 1, 11, 5, 6, 7, 11, 1, 2, 11, 2, 10, 5, 7, 8, 5, 8, 4, 2, 3, 4, 2, 4, 8, 2, 8, 10, 8, 9, 10);
 
-float volumeCellDepth(ivec2 layers, ivec2 texel) { return texelFetch(VOLUME_DEPTHS, ivec3(texel, layers.x), 0).x; }
+float volumeCellDepth(ivec2 layers, ivec2 texel)
+{
+    return texelFetch(VOLUME_DEPTHS, ivec3(texel, layers.x), 0).x;
+}
 
 ivec2 volumeCentre(int centre) { return ivec2(centre == 1 || centre == 2, centre >= 2); }
 
@@ -59,7 +63,10 @@ float volumeCut(ivec2 layers, VolumeSegment s)
 }
 
 // Returns segment i of a cell: those of its upper and left side begin at their second center.
-VolumeSegment volumeSegment(ivec2 cell, int i) { return VolumeSegment(cell + ivec2(i == 1, i == 2), i & 1); }
+VolumeSegment volumeSegment(ivec2 cell, int i)
+{
+    return VolumeSegment(cell + ivec2(i == 1, i == 2), i & 1);
+}
 
 // Returns the surface's depth at a crossing, on one side of it. The nearer side is extended
 // horizontally. The farther side is extrapolated from the next center, unless a silhouette is
@@ -67,12 +74,14 @@ VolumeSegment volumeSegment(ivec2 cell, int i) { return VolumeSegment(cell + ive
 float volumeSide(ivec2 layers, VolumeSegment s, float cut, bool second)
 {
     ivec2 step = volumeStep(s), texel = second ? s.first + step : s.first;
-    float here = volumeCellDepth(layers, texel), there = volumeCellDepth(layers, second ? s.first : s.first + step);
+    float here = volumeCellDepth(layers, texel),
+        there = volumeCellDepth(layers, second ? s.first : s.first + step);
     if (here >= there || here <= 0.0) return here;
     // inside the map, as depth is 0 at the border
     ivec2 next = second ? texel + step : texel - step;
     float beyond = volumeCellDepth(layers, next);
-    if (beyond <= 0.0 || volumeCut(layers, VolumeSegment(second ? texel : next, s.along)) >= 0.0) return here;
+    if (beyond <= 0.0 || volumeCut(layers, VolumeSegment(second ? texel : next, s.along)) >= 0.0)
+        return here;
     return clamp(here + (here - beyond) * (second ? 1.0 - cut : cut), 0.5 * here, there);
 }
 
@@ -130,7 +139,8 @@ ivec2 volumeTriangulated(ivec2 layers, ivec2 cell, int crossed)
 // depth.
 vec3 volumeCorner(ivec2 layers, ivec2 cell, ivec2 triangulated, int number)
 {
-    int label = (VOLUME_CORNERS[triangulated.x * 3 * VOLUME_MAX + number] + 3 * triangulated.y) % 12, i = label / 3;
+    int label = (VOLUME_CORNERS[triangulated.x * 3 * VOLUME_MAX + number] +
+        3 * triangulated.y) % 12, i = label / 3;
     if (label % 3 == 0) {
         ivec2 texel = cell + volumeCentre(i);
         return vec3(texel, volumeCellDepth(layers, texel));
@@ -146,13 +156,16 @@ vec3 volumeCorner(ivec2 layers, ivec2 cell, ivec2 triangulated, int number)
 // light a surface that reaches infinity runs along the light.
 bool volumeCellHas(ivec2 layers, vec2 at, float depth, bool parallel)
 {
-    ivec2 cell = ivec2(at), triangulated = volumeTriangulated(layers, cell, volumeCrossed(layers, cell));
+    ivec2 cell = ivec2(at), triangulated =
+        volumeTriangulated(layers, cell, volumeCrossed(layers, cell));
     for (int triangle = 0; triangle < VOLUME_TRIANGLES[triangulated.x]; triangle++) {
-        vec3 a = volumeCorner(layers, cell, triangulated, 3 * triangle), b = volumeCorner(layers, cell, triangulated, 3 * triangle + 1),
+        vec3 a = volumeCorner(layers, cell, triangulated, 3 * triangle),
+            b = volumeCorner(layers, cell, triangulated, 3 * triangle + 1),
              c = volumeCorner(layers, cell, triangulated, 3 * triangle + 2);
         vec2 ab = b.xy - a.xy, ac = c.xy - a.xy, way = at - a.xy;
         float area = ab.x * ac.y - ab.y * ac.x;
-        vec2 part = vec2(way.x * ac.y - way.y * ac.x, ab.x * way.y - ab.y * way.x) / max(area, 1e-9);
+        vec2 part = vec2(way.x * ac.y - way.y * ac.x, ab.x * way.y - ab.y * way.x) /
+            max(area, 1e-9);
         // a wall, or outside the triangle
         if (area <= 1e-9 || part.x < 0.0 || part.y < 0.0 || part.x + part.y > 1.0) continue;
         if (parallel && min(a.z, min(b.z, c.z)) <= 0.0) return false;

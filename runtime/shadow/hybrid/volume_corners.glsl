@@ -14,5 +14,6 @@ void main()
         depths[i] = texelFetch(volume_depths, ivec3(first + corners[i], int(volume_layer)), 0).x;
     int corner = within.y == 0 ? within.x : 3 - within.x;
     uint turned = uint(volumeTurned(depths));
-    corner_depth = uintBitsToFloat(floatBitsToUint(depths[(corner + int(turned)) % 4]) | turned << 31);
+    corner_depth =
+        uintBitsToFloat(floatBitsToUint(depths[(corner + int(turned)) % 4]) | turned << 31);
 }

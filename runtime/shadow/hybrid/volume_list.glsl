@@ -18,5 +18,6 @@ void main()
     if (!cut && volume_listed.w > 0.0 && volumeQuad(layers, cell) == vec4(0.0)) return;
     uint vertices = cut ? 3u * uint(VOLUME_MAX) : 6u;
     int place = int(atomicAdd(commands[2 * number + int(cut)].count, vertices) / vertices);
-    listed_cells[cut ? (number + 1) * all - 1 - place : number * all + place] = uint(cell.y * row + cell.x);
+    listed_cells[cut ? (number + 1) * all - 1 - place : number * all + place] =
+        uint(cell.y * row + cell.x);
 }

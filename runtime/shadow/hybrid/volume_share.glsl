@@ -7,14 +7,16 @@ uniform sampler2D shadow_mask;
 // bit for each light.
 float volumeShare(int bit, ivec2 views, vec3 point, ivec2 at)
 {
-    return float((uint(texelFetch(shadow_mask, at, 0)[bit / 8] * 255.0 + 0.5) >> (bit % 8) & 1u) ^ 1u);
+    return float((uint(texelFetch(shadow_mask, at, 0)[bit / 8] * 255.0 +
+        0.5) >> (bit % 8) & 1u) ^ 1u);
 }
 #else
 // Interpolates a triangle's depth between three texels: b is adjacent to a, c adjacent to b. For
 // parallel light the triangle reaches infinity if one texel has no depth.
 float volumeHeight(vec3 abc, vec2 part, bool parallel)
 {
-    return parallel && min(abc.x, min(abc.y, abc.z)) <= 0.0 ? 0.0 : abc.x + (abc.y - abc.x) * part.x + (abc.z - abc.y) * part.y;
+    return parallel && min(abc.x, min(abc.y, abc.z)) <= 0.0 ? 0.0 : abc.x +
+        (abc.y - abc.x) * part.x + (abc.z - abc.y) * part.y;
 }
 
 #ifdef SHADOW_CUT
@@ -45,7 +47,8 @@ bool volumeHas(int view, vec3 point)
                      texelFetch(shadow_maps, ivec3(texel + ivec2(0, 1), view), 0).x);
     if (SHADOW_QUADS && !volumeTurned(quad)) // diagonal b-d: mirroring turns the diagonal into a-c
         quad = quad.yxwz, part.x = 1.0 - part.x;
-    return depth < (part.x >= part.y ? volumeHeight(quad.xyz, part, parallel) : volumeHeight(quad.xwz, part.yx, parallel));
+    return depth < (part.x >= part.y ? volumeHeight(quad.xyz, part, parallel)
+        : volumeHeight(quad.xwz, part.yx, parallel));
 #endif
 }
 

@@ -17,7 +17,8 @@ float facing()
     if (look_view.y > 0.0) return inversesqrt(1.0 + look_view.x * look_view.x * dot(slope, slope));
     vec2 ray = (2.0 * gl_FragCoord.xy - look_ray.zw) * look_ray.xy;
     vec3 normal = vec3(slope, dot(slope, ray) - gl_FragCoord.z);
-    return min(gl_FragCoord.z * inversesqrt(max(dot(normal, normal) * (1.0 + dot(ray, ray)), 1e-36)), 1.0);
+    return min(gl_FragCoord.z * inversesqrt(max(dot(normal, normal) * (1.0 + dot(ray, ray)),
+        1e-36)), 1.0);
 }
 
 void main()

@@ -30,7 +30,10 @@ out float volume_away; // 1: the map has no depth there (volume_shown.glsl)
 #endif
 
 #ifndef CELLS
-float volumeDepth(ivec2 texel) { return texelFetch(volume_depths, ivec3(texel, int(volume_map.x)), 0).x; }
+float volumeDepth(ivec2 texel)
+{
+    return texelFetch(volume_depths, ivec3(texel, int(volume_map.x)), 0).x;
+}
 #endif
 
 // Returns a homogeneous point: perspective depth is near / z. A point without depth is as distant
@@ -40,8 +43,11 @@ vec4 volumePoint(vec2 place, float depth)
 #ifdef VIEWED
     volume_away = depth > 0.0 ? 0.0 : 1.0;
 #endif
-    if (volume_map.z == 0.0) return volume_x * place.x + volume_y * place.y + volume_z + volume_w * max(depth, volume_far.x);
-    return depth > 0.0 ? volume_x * place.x + volume_y * place.y + volume_z * depth + volume_w : volume_far;
+    if (volume_map.z == 0.0)
+        return volume_x * place.x + volume_y * place.y + volume_z +
+            volume_w * max(depth, volume_far.x);
+    return depth > 0.0 ? volume_x * place.x + volume_y * place.y + volume_z * depth + volume_w
+        : volume_far;
 }
 
 #ifdef CAP
@@ -49,7 +55,8 @@ vec4 volumePoint(vec2 place, float depth)
 ivec2 volumeBorder(int k)
 {
     int last = int(volume_map.y) - 1, along = k % last, side = k / last % 4;
-    return side == 0 ? ivec2(along, 0) : side == 1 ? ivec2(last, along) : side == 2 ? ivec2(last - along, last) : ivec2(0, last - along);
+    return side == 0 ? ivec2(along, 0) : side == 1 ? ivec2(last, along) : side == 2
+        ? ivec2(last - along, last) : ivec2(0, last - along);
 }
 #endif
 
@@ -69,7 +76,8 @@ vec3 volumeVertex()
     ivec2 cell = ivec2(number % row, number / row), layers = ivec2(volume_map.x, volume_cells.x);
     ivec2 triangulated = volumeTriangulated(layers, cell, cut ? volumeCrossed(layers, cell) : 0);
     int corner = gl_VertexID % most;
-    return volumeCorner(layers, cell, triangulated, corner < 3 * VOLUME_TRIANGLES[triangulated.x] ? corner : 0);
+    return volumeCorner(layers, cell, triangulated, corner < 3 * VOLUME_TRIANGLES[triangulated.x]
+        ? corner : 0);
 }
 #endif
 
@@ -79,7 +87,8 @@ void main()
 #ifdef CAP
     int corner = gl_VertexID % 3;
     ivec2 texel = volumeBorder(gl_VertexID / 3 + 2 - corner);
-    gl_Position = volumePoint(corner == 0 ? vec2(0.0) : volumePlace(texel, volume_map.y, stretched), 0.0);
+    gl_Position = volumePoint(corner == 0 ? vec2(0.0) : volumePlace(texel, volume_map.y, stretched),
+        0.0);
 #elif defined CELLS
     vec3 vertex = volumeVertex();
     gl_Position = volumePoint(volumePlace(vertex.xy, volume_map.y, stretched), vertex.z);
@@ -88,7 +97,8 @@ void main()
     int edge = 2 * (int(volume_map.y) - 1);
     ivec2 texel = ivec2(gl_VertexID % edge, gl_VertexID / edge), within = texel % 2;
     int corner = (within.y == 0 ? within.x : 3 - within.x) + int(floatBitsToInt(volume_depth) < 0);
-    gl_Position = volumePoint(volumePlace(texel / 2 + corners[corner % 4], volume_map.y, stretched), abs(volume_depth));
+    gl_Position = volumePoint(volumePlace(texel / 2 + corners[corner % 4], volume_map.y, stretched),
+        abs(volume_depth));
 #elif defined QUADS
     const ivec2 corners[4] = ivec2[](ivec2(0, 0), ivec2(1, 0), ivec2(1, 1), ivec2(0, 1));
     int quad = gl_VertexID / 4, row = int(volume_map.y) - 1;
@@ -97,7 +107,8 @@ void main()
     for (int i = 0; i < 4; i++)
         depths[i] = volumeDepth(first + corners[i]);
     int corner = (gl_VertexID + int(volumeTurned(depths))) % 4;
-    gl_Position = volumePoint(volumePlace(first + corners[corner], volume_map.y, stretched), depths[corner]);
+    gl_Position = volumePoint(volumePlace(first + corners[corner], volume_map.y, stretched),
+        depths[corner]);
 #else
     int size = int(volume_map.y);
     ivec2 texel = ivec2(gl_VertexID % size, gl_VertexID / size);

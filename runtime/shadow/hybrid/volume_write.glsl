@@ -7,7 +7,10 @@ layout(std430, binding = 1) writeonly buffer Indices { uint written_indices[]; }
 uniform sampler2DArray volume_depths;
 uniform float volume_layer, volume_number; // layer of the map; its index among hybrid views
 
-float depthAt(ivec2 texel) { return texelFetch(volume_depths, ivec3(texel, int(volume_layer)), 0).x; }
+float depthAt(ivec2 texel)
+{
+    return texelFetch(volume_depths, ivec3(texel, int(volume_layer)), 0).x;
+}
 
 #ifdef QUADS
 void writeQuad(ivec2 texel, int size)
@@ -18,7 +21,8 @@ void writeQuad(ivec2 texel, int size)
     for (int i = 0; i < 4; i++)
         depths[i] = depthAt(texel + corners[i]);
     int turned = int(volumeTurned(depths));
-    uint first = 6u * (uint(volume_number) * uint((size - 1) * (size - 1)) + uint(texel.y * (size - 1) + texel.x));
+    uint first = 6u * (uint(volume_number) * uint((size - 1) * (size - 1)) +
+        uint(texel.y * (size - 1) + texel.x));
     for (int i = 0; i < 6; i++) {
         ivec2 corner = texel + corners[(triangles[i] + turned) % 4];
         written_indices[first + uint(i)] = uint(corner.y * size + corner.x);
@@ -31,7 +35,8 @@ void main()
     ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
     int size = textureSize(volume_depths, 0).x;
     if (texel.x >= size || texel.y >= size) return;
-    written_depths[uint(volume_number) * uint(size * size) + uint(texel.y * size + texel.x)] = depthAt(texel);
+    written_depths[uint(volume_number) * uint(size * size) + uint(texel.y * size + texel.x)] =
+        depthAt(texel);
 #ifdef QUADS
     if (texel.x + 1 < size && texel.y + 1 < size) writeQuad(texel, size);
 #endif

@@ -67,7 +67,8 @@ struct SilhouettePlace {
 // depth is near / z, which is near / k (n.x x / z + n.y y / z + n.z).
 SilhouettePlace silhouettePlace(int view, vec3 point, vec3 normal)
 {
-    vec4 rows[3] = vec4[3](shadowRow(view, VIEW_ROWS), shadowRow(view, VIEW_ROWS + 1), shadowRow(view, VIEW_ROWS + 2)), how = shadowRow(view, VIEW_HOW);
+    vec4 rows[3] = vec4[3](shadowRow(view, VIEW_ROWS), shadowRow(view, VIEW_ROWS + 1),
+        shadowRow(view, VIEW_ROWS + 2)), how = shadowRow(view, VIEW_HOW);
     vec3 p, n;
     for (int i = 0; i < 3; i++) {
         p[i] = dot(rows[i], vec4(point, 1.0));
@@ -78,7 +79,8 @@ SilhouettePlace silhouettePlace(int view, vec3 point, vec3 normal)
     float texel = parallel ? how.y * length(rows[2].xyz) : depth * how.y;
     vec2 slope = (parallel ? -n.xy / n.z : n.xy * (how.x / dot(n, p))) * (2.0 / float(SHADOW_SIZE));
     slope *= min(1.0, SILHOUETTE_STEEPEST * texel / length(slope));
-    return SilhouettePlace(((parallel ? p.xy : p.xy / p.z) * 0.5 + 0.5) * float(SHADOW_SIZE) - 0.5, depth, slope, texel);
+    return SilhouettePlace(((parallel ? p.xy : p.xy / p.z) * 0.5 + 0.5) * float(SHADOW_SIZE) - 0.5,
+        depth, slope, texel);
 }
 
 // Returns 1 for each surrounding center that does not occlude the point, else 0, in textureGather's
@@ -89,7 +91,8 @@ vec4 silhouetteFree(SilhouettePlace place, vec2 part, vec4 depths, float pixel)
     float steep = length(place.slope) / place.texel, square = 1.0 + steep * steep;
     // along the light 1, clamped to both bounds
     float lift = clamp(inversesqrt(square), SILHOUETTE_MIN, SILHOUETTE_MAX) + pixel / 64.0;
-    vec4 bias = lift * sqrt(square) + min(SILHOUETTE_TILT * square, max(steep, 0.25)) * sqrt(x * x + y * y);
+    vec4 bias = lift * sqrt(square) + min(SILHOUETTE_TILT * square, max(steep, 0.25)) *
+        sqrt(x * x + y * y);
     vec4 off = depths - place.depth - place.slope.x * x - place.slope.y * y;
     // 0: empty texel
     return max(vec4(lessThanEqual(off, bias * place.texel)), vec4(equal(depths, vec4(0.0))));
@@ -103,10 +106,12 @@ bool silhouetteReaches(int view, vec3 point, vec3 normal, float pixel)
     // outside the map
     if (any(lessThan(part, vec2(0.0))) || any(greaterThan(part, vec2(1.0)))) return true;
     vec3 middle = vec3((low + 1.0) / float(SHADOW_SIZE), view);
-    vec4 depths = textureGather(shadow_maps, middle), free = silhouetteFree(place, part, depths, pixel);
+    vec4 depths = textureGather(shadow_maps, middle),
+        free = silhouetteFree(place, part, depths, pixel);
     if (free == vec4(0.0) || free == vec4(1.0)) return free.x > 0.0;
     middle.z = shadowRow(view, VIEW_HOW).w - 1.0;
-    vec4 rows = textureGather(silhouette_crossings, middle, 0), columns = textureGather(silhouette_crossings, middle, 1);
+    vec4 rows = textureGather(silhouette_crossings, middle, 0),
+        columns = textureGather(silhouette_crossings, middle, 1);
     // no crossing from each center to the next around the cell
     vec4 joined = vec4(equal(vec4(rows.x, columns.z, rows.w, columns.w), vec4(0.0)));
     for (int i = 0; i < 3; i++)
@@ -131,14 +136,16 @@ SHARE silhouetteThrough(int view, vec3 point)
     vec4 how = shadowRow(view, VIEW_HOW);
     vec3 place = shadowPlace(view, vec4(point, 1.0));
     float depth = how.x > 0.0 ? how.x / place.z : place.z;
-    vec2 corner = ((how.x > 0.0 ? place.xy / place.z : place.xy) * 0.5 + 0.5) * float(SHADOW_SIZE) - 0.5 * float(SHADOW_FILTER);
+    vec2 corner = ((how.x > 0.0 ? place.xy / place.z : place.xy) * 0.5 + 0.5) * float(SHADOW_SIZE) -
+        0.5 * float(SHADOW_FILTER);
     ivec2 low = ivec2(floor(corner));
     vec2 part = SHADOW_FILTER > 0 ? corner - vec2(low) : vec2(0.0);
     vec4 sum = vec4(0.0);
     for (int y = 0; y <= SHADOW_FILTER; y++)
         for (int x = 0; x <= SHADOW_FILTER; x++) {
             ivec2 texel = low + ivec2(x, y);
-            if (any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, ivec2(SHADOW_SIZE)))) continue;
+            if (any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, ivec2(SHADOW_SIZE))))
+                continue;
             if (depth < texelFetch(shadow_maps, ivec3(texel, view), 0).x) continue;
             float weight = shadowWeight(x, part.x) * shadowWeight(y, part.y);
             sum += weight * vec4(shadowThrough(view, texel, depth), 1.0);
@@ -159,7 +166,9 @@ SHARE silhouetteShare(int first, int count, vec3 point, vec3 normal, float pixel
     float texel = how.y * (how.x > 0.0 ? place.z : 1.0);
 #ifdef FACETS
     if (triangle_away) return SHARE(0.0);
-    if (!silhouetteReaches(first + face, point, triangle_side == vec3(0.0) ? normal : triangle_side, pixel / texel)) return SHARE(0.0);
+    if (!silhouetteReaches(first + face, point, triangle_side == vec3(0.0) ? normal : triangle_side,
+        pixel / texel))
+        return SHARE(0.0);
 #else
     if (!silhouetteReaches(first + face, point, normal, pixel / texel)) return SHARE(0.0);
 #endif

@@ -49,8 +49,10 @@ float near, size;
 vec4 placeOf(uint edge, uint corner, mat4 worldFromLocal)
 {
     uint at = edge * 12u + corner * 3u;
-    vec4 world = worldFromLocal * vec4(edge_components[at], edge_components[at + 1u], edge_components[at + 2u], 1.0);
-    vec3 place = vec3(dot(silhouette_view[0], world), dot(silhouette_view[1], world), dot(silhouette_view[2], world));
+    vec4 world = worldFromLocal * vec4(edge_components[at], edge_components[at + 1u],
+        edge_components[at + 2u], 1.0);
+    vec3 place = vec3(dot(silhouette_view[0], world), dot(silhouette_view[1], world),
+        dot(silhouette_view[2], world));
     return near > 0.0 ? vec4(place.xy, near, place.z) : vec4(place, 1.0);
 }
 
@@ -70,7 +72,8 @@ vec3 texelOf(vec4 place)
 
 float depthAt(ivec2 texel)
 {
-    return texelFetch(silhouette_maps, ivec3(clamp(texel, ivec2(0), ivec2(size) - 1), int(silhouette_view[3].z)), 0).x;
+    return texelFetch(silhouette_maps,
+        ivec3(clamp(texel, ivec2(0), ivec2(size) - 1), int(silhouette_view[3].z)), 0).x;
 }
 
 // An edge in the map's coordinates.
@@ -91,11 +94,14 @@ void record(Edge edge, int along, ivec2 texel, float part, float depth)
     float deepest = min(first, second), beyond = depthAt(nearer ? texel + 2 * next : texel - next);
     float left = nearer ? 1.0 - part : part;
     if (depth < min(deepest, deepest + (deepest - beyond) * left) * (1.0 - 2e-6)) return;
-    vec2 way = edge.ends[1].xy - edge.ends[0].xy, to = vec2(nearer ? texel : texel + next) - edge.ends[0].xy;
+    vec2 way = edge.ends[1].xy - edge.ends[0].xy, to = vec2(nearer ? texel : texel + next) -
+        edge.ends[0].xy;
     float side = way.x * to.y - way.y * to.x;
-    bool covers = abs(side) <= NEAR_CENTRE * length(way) || (side > 0.0 ? edge.faces.x : edge.faces.y) > 0.0;
+    bool covers = abs(side) <= NEAR_CENTRE * length(way) ||
+        (side > 0.0 ? edge.faces.x : edge.faces.y) > 0.0;
     if (covers)
-        atomicMax(extents[(texel.y * int(size) + texel.x) * 2 + along], uint((1.0 - left) * 65534.0 + 0.5) + 1u);
+        atomicMax(extents[(texel.y * int(size) + texel.x) * 2 + along],
+            uint((1.0 - left) * 65534.0 + 0.5) + 1u);
 }
 
 // Visits all rows, or all columns, that an edge crosses.
@@ -106,10 +112,12 @@ void walk(Edge edge, int along)
     int last = int(floor(min(max(from, to) + NEAR_CENTRE, size - 1.0)));
     for (int line = int(ceil(max(min(from, to) - NEAR_CENTRE, 0.0))); line <= last; line++) {
         float share = abs(far) > 1e-6 ? clamp((float(line) - from) / far, 0.0, 1.0) : 0.0;
-        float at = mix(edge.ends[0][along], edge.ends[1][along], share), depth = mix(edge.ends[0].z, edge.ends[1].z, share);
+        float at = mix(edge.ends[0][along], edge.ends[1][along], share),
+            depth = mix(edge.ends[0].z, edge.ends[1].z, share);
         if (at < -1.0 || at > size) continue;
         float column = floor(at), part = at - column;
-        ivec2 texel = along == 0 ? ivec2(column, line) : ivec2(line, column), step = ivec2(along == 0, along == 1);
+        ivec2 texel = along == 0 ? ivec2(column, line) : ivec2(line, column),
+            step = ivec2(along == 0, along == 1);
         record(edge, along, texel, part, depth);
         if (part < NEAR_CENTRE) record(edge, along, texel - step, 1.0, depth);
         if (part > 1.0 - NEAR_CENTRE) record(edge, along, texel + step, 0.0, depth);
@@ -126,7 +134,8 @@ void main()
     mat4 world = instances[places[uint(silhouette_run.z) + gl_GlobalInvocationID.y]].worldFromLocal;
     vec4 a = placeOf(number, 0u, world), b = placeOf(number, 1u, world);
     vec3 way = b.xyw - a.xyw;
-    vec2 sides = vec2(sideOf(a.xyw, way, placeOf(number, 2u, world).xyw), sideOf(a.xyw, way, placeOf(number, 3u, world).xyw));
+    vec2 sides = vec2(sideOf(a.xyw, way, placeOf(number, 2u, world).xyw),
+        sideOf(a.xyw, way, placeOf(number, 3u, world).xyw));
     if (sides.x * sides.y < 0.0) return;
     vec2 faces = vec2(max(sides.x, sides.y) >= 0.0, min(sides.x, sides.y) <= 0.0);
     float least = near > 0.0 ? near * 0.99 : 0.0; // nearer points are in no map

@@ -15,7 +15,8 @@ float byteOf(ivec2 texel, int along)
     uint extent = extents[(texel.y * size + texel.x) * 2 + along];
     if (extent == 0u) return 0.0;
     float first = texelFetch(silhouette_maps, ivec3(texel, map), 0).x;
-    float second = texelFetch(silhouette_maps, ivec3(texel + ivec2(along == 0, along == 1), map), 0).x;
+    float second = texelFetch(silhouette_maps, ivec3(texel + ivec2(along == 0, along == 1), map),
+        0).x;
     float part = float(extent - 1u) / 65534.0;
     return (1.0 + round((first > second ? part : 1.0 - part) * 254.0)) / 255.0;
 }

@@ -18,11 +18,14 @@ void triangleFind(ivec2 pixel, float depth, vec3 point, vec4 ray, vec4 view)
     if (word == 0u) return;
 #ifdef SHADOW_PLANES
     for (int i = 0; i < SHADOW_PLANES; i++) // an infinite plane hides the triangle
-        if (abs(dot(shadowPlane(i), vec4(point, 1.0))) <= 4e-6 * (length(point) + abs(shadowPlane(i).w))) return;
+        if (abs(dot(shadowPlane(i), vec4(point, 1.0))) <= 4e-6 *
+            (length(point) + abs(shadowPlane(i).w)))
+            return;
 #endif
     vec2 slope = unpackHalf2x16(word) * (depth / 4096.0) / (2.0 * ray.xy);
     vec2 place = (vec2(2 * pixel + 1) - ray.zw) * ray.xy;
-    triangle_normal = normalize(view.y > 0.0 ? vec3(-view.x * slope, 1.0) : vec3(-slope, depth - dot(slope, place)));
+    triangle_normal = normalize(view.y > 0.0 ? vec3(-view.x * slope, 1.0)
+        : vec3(-slope, depth - dot(slope, place)));
 }
 
 // Prepares for a light in direction l the variables that silhouette.glsl reads.

@@ -29,6 +29,7 @@ float noise(vec3 p) {
     vec4 scale = 1.79284291400159 - 0.85373472095314 * (x * x + y * y + z * z);
     vec4 t = max(0.5 - vec4(dot(x0, x0), dot(x1, x1), dot(x2, x2), dot(x3, x3)), 0.0);
     t *= t;
-    vec4 dx = vec4(x0.x, x1.x, x2.x, x3.x), dy = vec4(x0.y, x1.y, x2.y, x3.y), dz = vec4(x0.z, x1.z, x2.z, x3.z);
+    vec4 dx = vec4(x0.x, x1.x, x2.x, x3.x), dy = vec4(x0.y, x1.y, x2.y, x3.y),
+        dz = vec4(x0.z, x1.z, x2.z, x3.z);
     return 105.0 * dot(t * t, scale * (x * dx + y * dy + z * dz));
 }

@@ -29,7 +29,8 @@ float noise(vec3 p) {
     for (uint i = 0u; i < 4u; i++) {
         uvec3 corner = uvec3(0u, i & 1u, i >> 1u);
         line[i] = mix(cornerTerm(at + corner, d - vec3(corner)),
-                      cornerTerm(at + corner + uvec3(1u, 0u, 0u), d - vec3(corner) - vec3(1.0, 0.0, 0.0)), s.x);
+                      cornerTerm(at + corner + uvec3(1u, 0u, 0u),
+                          d - vec3(corner) - vec3(1.0, 0.0, 0.0)), s.x);
     }
     return 0.982 * mix(mix(line[0], line[1], s.y), mix(line[2], line[3], s.y), s.z);
 }
