@@ -125,7 +125,7 @@ bool param_is_unstored(int param)
     }
 }
 
-const char *param_parted(int param, int *weight)
+const char *param_dropped(int param, int *weight)
 {
     switch (param) {
 #define TILED(kind, name, by, what)                                                                \

@@ -136,7 +136,7 @@ bool param_is_colored(int param), param_is_number(int param);
 bool param_is_unstored(int param);
 /* Returns how the parameter is modified if the parameter *weight is not 0: TILED lines; NULL:
  * not at all. */
-const char *param_parted(int param, int *weight);
+const char *param_dropped(int param, int *weight);
 static inline bool param_is_word(const ParamRow *row) { return row->type > PARAM_Items; }
 
 typedef enum { LOWERING_MATERIAL, LOWERING_OWN, LOWERING_VOLUME } Lowering;
@@ -398,7 +398,7 @@ typedef enum {
     MEMBER_label,
     MEMBER_encoding,
     MEMBER_pair,
-    MEMBER_slotLanes,
+    MEMBER_slotComponents,
     MEMBER_slotConstants
 } MemberType;
 typedef struct {

@@ -19,7 +19,7 @@ enum { LOBE_RINGS = 96, LOBE_TURNS = 64 }; /* of the visible facets that albedos
     "float varied(ivec2 p, float step) { return fract(0.5 + step * float(p.x + 20 * p.y)); }\n"
 
 /* GLSL: a facet of GGX that is seen from v (Heitz 2018), by two numbers in [0, 1). */
-#define LOBE_FACET                                                                                 \
+#define LOBE_MICROFACET                                                                            \
     "vec3 facet(vec3 v, float a, vec2 u) {\n"                                                      \
     "    vec3 w = normalize(vec3(a * v.xy, v.z)), t = w.z < 0.9999 ? normalize(vec3(-w.y, w.x, "   \
     "0.0)) : vec3(1.0, 0.0, 0.0), s = cross(w, t);\n"                                              \

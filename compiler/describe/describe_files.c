@@ -148,7 +148,7 @@ static void put_type(Text *out, const FileRow *row)
     case MEMBER_choices:
         put_choices(out);
         break;
-    case MEMBER_slotLanes:
+    case MEMBER_slotComponents:
         text_put(out, "\"$ref\": \"#/$defs/slots\"");
         break;
     case MEMBER_slotConstants:

@@ -12,14 +12,14 @@
 #include "grammar/expression_tables.h"
 
 typedef enum {
-    FORMULA_number,    /* a literal; `number` holds it */
-    FORMULA_value,     /* a built-in quantity; row: a Quantity */
-    FORMULA_input,     /* row: index of the input */
-    FORMULA_attribute, /* row: index of the document's attribute */
-    FORMULA_name,      /* before the check: a value or an input */
-    FORMULA_term,      /* row: a Term, applied to its arguments */
-    FORMULA_power,     /* power with a literal integer exponent: number */
-    FORMULA_lanes,     /* swizzle; row: two bits per component, width: their number */
+    FORMULA_number,     /* a literal; `number` holds it */
+    FORMULA_value,      /* a built-in quantity; row: a Quantity */
+    FORMULA_input,      /* row: index of the input */
+    FORMULA_attribute,  /* row: index of the document's attribute */
+    FORMULA_name,       /* before the check: a value or an input */
+    FORMULA_term,       /* row: a Term, applied to its arguments */
+    FORMULA_power,      /* power with a literal integer exponent: number */
+    FORMULA_components, /* swizzle; row: two bits per component, width: their number */
     /* Vector of its arguments' components. row: the width, 0 for that of the arguments; a single
      * number is copied to all components. */
     FORMULA_list,

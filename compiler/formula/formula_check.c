@@ -233,7 +233,7 @@ static int check_components(Check *c, const FormulaStep *step)
         if (width < 1 || (step->row >> 2 * i & 3) >= width) {
             const char *letters =
                 arena_string(c->session->arena, c->s->text + step->start, (size_t)size);
-            diag_add(c->session, span_of(c, step), DIAG_formula_lanes, holder_text(width),
+            diag_add(c->session, span_of(c, step), DIAG_formula_components, holder_text(width),
                      letters + (*letters == '.'), component_names(width));
             return fail(c);
         }
@@ -287,7 +287,7 @@ static int width_of(Check *c, FormulaStep *step)
         return find_name(c, step);
     case FORMULA_term:
         return check_term(c, step);
-    case FORMULA_lanes:
+    case FORMULA_components:
         return check_components(c, step);
     default:
         return check_list(c, step);

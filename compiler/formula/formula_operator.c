@@ -29,17 +29,17 @@ static void read_components(FormulaReader *r)
     const uint32_t start = r->token.start;
     formula_next(r);
     const char *letters = r->token.kind == TOKEN_name ? formula_word(r, r->token) : "";
-    FormulaStep step = {.kind = FORMULA_lanes,
+    FormulaStep step = {.kind = FORMULA_components,
                         .start = start,
                         .end = r->token.end,
                         .width = (int8_t)strlen(letters)};
     if (!*letters || r->token.start != start + 1 || !is_swizzle(letters)) {
         r->faults++;
-        diag_add(r->session, formula_span(r, start, r->token.end), DIAG_formula_lanes, "a value",
-                 letters, "xyzw, rgba or uvw");
+        diag_add(r->session, formula_span(r, start, r->token.end), DIAG_formula_components,
+                 "a value", letters, "xyzw, rgba or uvw");
         step = (FormulaStep){.kind = FORMULA_fault, .start = start, .end = start + 1};
     }
-    for (int i = 0; step.kind == FORMULA_lanes && letters[i]; i++)
+    for (int i = 0; step.kind == FORMULA_components && letters[i]; i++)
         step.row |= component_of(letters, letters[i]) << 2 * i;
     if (r->token.kind == TOKEN_name)
         formula_next(r);
@@ -49,7 +49,7 @@ static void read_components(FormulaReader *r)
 /* Parses "[" digit "]". */
 static void read_index(FormulaReader *r)
 {
-    FormulaStep step = {.kind = FORMULA_lanes, .start = r->token.start, .width = 1};
+    FormulaStep step = {.kind = FORMULA_components, .start = r->token.start, .width = 1};
     formula_next(r);
     const Token index = r->token;
     formula_next(r);
@@ -58,7 +58,7 @@ static void read_index(FormulaReader *r)
         index.number < 0 || index.number >= FORMULA_MAX_COMPONENTS) {
         r->faults++;
         diag_add(
-            r->session, formula_span(r, step.start, step.end), DIAG_formula_lanes, "a value",
+            r->session, formula_span(r, step.start, step.end), DIAG_formula_components, "a value",
             arena_string(r->session->arena, r->s->text + index.start, formula_token_size(index)),
             "xyzw, rgba or uvw");
         step.kind = FORMULA_fault;

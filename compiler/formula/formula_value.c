@@ -280,13 +280,13 @@ static void step_value(const Formula *f, const FormulaStep *step, const FormulaP
     const double *a = step->count ? point->values[formula_argument(f, step, 0)] : NULL;
     for (int component = 0; component < components_of(step); component++)
         result[component] =
-            step->kind == FORMULA_number      ? step->number
-            : step->kind == FORMULA_value     ? point->quantity[step->row][component]
-            : step->kind == FORMULA_input     ? point->inputs[step->row][component]
-            : step->kind == FORMULA_attribute ? point->attributes[step->row][component]
-            : step->kind == FORMULA_power     ? whole_power(a[component], (int)step->number)
-            : step->kind == FORMULA_lanes     ? a[step->row >> 2 * component & 3]
-                                              : 0;
+            step->kind == FORMULA_number       ? step->number
+            : step->kind == FORMULA_value      ? point->quantity[step->row][component]
+            : step->kind == FORMULA_input      ? point->inputs[step->row][component]
+            : step->kind == FORMULA_attribute  ? point->attributes[step->row][component]
+            : step->kind == FORMULA_power      ? whole_power(a[component], (int)step->number)
+            : step->kind == FORMULA_components ? a[step->row >> 2 * component & 3]
+                                               : 0;
     if (step->kind == FORMULA_term)
         term_value(f, step, point, result);
     if (step->kind == FORMULA_list)

@@ -119,10 +119,10 @@ static bool is_lost(const Node *node, int i)
 
 /* Describes how an interior parameter of a closed mesh is modified when stored; NULL: stored
  * unchanged. */
-static const char *parted(const Node *node, int i)
+static const char *dropped(const Node *node, int i)
 {
     int weight;
-    const char *what = param_parted(kind_table[node->kind].first + i, &weight);
+    const char *what = param_dropped(kind_table[node->kind].first + i, &weight);
     const bool there = what && node->params[i].given && !value_is_zero(&node->params[i]) &&
                        !value_is_zero(node_param(node, weight));
     return there && value_is_zero(node_param(node, P_Principled_thinWalled)) ? what : NULL;
@@ -131,13 +131,13 @@ static const char *parted(const Node *node, int i)
 static void lint_lost(Session *session, const Node *material)
 {
     for (int i = 0; i < kind_table[material->kind].count; i++) {
-        const char *what = parted(material, i);
+        const char *what = dropped(material, i);
         const Span span = material->params[i].span;
         if (is_lost(material, i))
             diag_add(session, span, DIAG_unstored, node_written_param(material, i),
                      node_written_name(material));
         else if (what)
-            diag_add(session, span, DIAG_parted, node_written_param(material, i),
+            diag_add(session, span, DIAG_dropped, node_written_param(material, i),
                      node_written_name(material), what);
     }
 }

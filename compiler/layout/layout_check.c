@@ -31,7 +31,7 @@ static void check_groups(Checker *k, const FieldRow *field, Span span)
     if (!field->count || !encoding->takes || field->count % encoding->takes == 0)
         return;
     text_format(&takes, "%d lanes", encoding->takes);
-    diag_add(k->session, span, DIAG_field_lanes, encoding->name, takes.at, field->count);
+    diag_add(k->session, span, DIAG_field_components, encoding->name, takes.at, field->count);
     k->fine = false;
 }
 

@@ -151,8 +151,8 @@ static void read_components(Reader *r, const Tree *tree, FieldRow *field)
         const char *rgba = strchr(all, *letters), *at = strchr("xyzw", *letters);
         int component = rgba ? (int)(rgba - all) : at ? (int)(at - "xyzw") : FIELD_COMPONENTS;
         if (component >= components || field->count == FIELD_COMPONENTS) {
-            diag_add(r->session, tree->span, DIAG_layout_lanes, tree->text, slot_table[slot].name,
-                     all);
+            diag_add(r->session, tree->span, DIAG_layout_components, tree->text,
+                     slot_table[slot].name, all);
             fail(r);
             return;
         }

@@ -94,7 +94,7 @@ static Ref step_of(Lower *l, const Formula *f, const FormulaStep *step, const Le
         return leaves->attributes[step->row];
     case FORMULA_power:
         return lower_whole_power(l, refs[formula_argument(f, step, 0)], (int)step->number);
-    case FORMULA_lanes:
+    case FORMULA_components:
         return build_components(ir, refs[formula_argument(f, step, 0)], step->row, step->width);
     case FORMULA_list:
         return list_of(l, f, step, refs);

@@ -39,7 +39,7 @@ void lower_note_crossing(Lower *l, const Node *blend, Ref coordinate)
     l->crossing = crossing;
 }
 
-static void doubt(Session *session, const Node *blend, Interval x)
+static void note(Session *session, const Node *blend, Interval x)
 {
     const Items *items = items_of(blend);
     const double first = items->item[0].value.number[0],
@@ -79,7 +79,7 @@ void lower_lint(Lower *l)
             ARENA_PUSH(&arena, roots, count, capacity, at->slope[i]);
     const Ranges ranges = range_find_below(l->ir, &arena, 1, roots, (int)count);
     for (const struct Crossing *at = l->crossing; at; at = at->next)
-        doubt(l->session, at->blend, range_of(&ranges, l->ir, at->coordinate, 0));
+        note(l->session, at->blend, range_of(&ranges, l->ir, at->coordinate, 0));
     for (const struct DisplacementFound *at = l->reliefs; at; at = at->next)
         if (is_nought(&ranges, l->ir, at->slope[0]) && is_nought(&ranges, l->ir, at->slope[1]))
             diag_add(l->session, at->displacement->span, DIAG_flat_displacement);

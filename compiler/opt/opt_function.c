@@ -9,7 +9,7 @@
 
 /* Max arguments of a program that are tracked; every function is assumed to read any further
  * ones. */
-enum { MAX_TOLD_APART = 64 };
+enum { MAX_DISTINGUISHED = 64 };
 
 /* Returns the arguments that every node depends on, a bit each. One sweep serves all functions. */
 static uint64_t *values_read(const Ir *ir, uint32_t *number, Arena *scratch)
@@ -22,7 +22,7 @@ static uint64_t *values_read(const Ir *ir, uint32_t *number, Arena *scratch)
         if (!ir_is(ir, ref, OP_argument))
             continue;
         number[ref] = arguments++;
-        if (number[ref] < MAX_TOLD_APART)
+        if (number[ref] < MAX_DISTINGUISHED)
             read[ref] = (uint64_t)1 << number[ref];
     }
     return read;
@@ -38,7 +38,7 @@ static uint32_t *arguments_read(const Ir *ir, Arena *scratch)
         const IrFunction *function = &ir->functions[f];
         for (int i = 0; i < function->count; i++) {
             uint32_t bit = number[function->arguments[i]];
-            bool reads = bit >= MAX_TOLD_APART || values[function->result] >> bit & 1;
+            bool reads = bit >= MAX_DISTINGUISHED || values[function->result] >> bit & 1;
             read[f] |= (uint32_t)reads << i;
         }
     }

@@ -48,7 +48,7 @@ typedef struct {
     HashIndex aside_used;      /* indices in asides */
     struct SceneStand *stands; /* surfaces with copies, in the order of their objects */
     size_t stand_count, stand_capacity;
-    int things;       /* objects and groups so far */
+    int objects;      /* objects and groups so far */
     HashIndex solids; /* index of solid_keys: objects with equal keys share a mesh */
     Key *solid_keys;
     size_t solid_count, solid_capacity;

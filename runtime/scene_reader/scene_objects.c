@@ -166,9 +166,9 @@ static bool fault_many(SceneReader *r, Span span)
 /* Counts an object or group. Returns false if there are too many, which is reported once. */
 static bool count_node(SceneReader *r, Span span)
 {
-    if (r->things > SCENE_OBJECTS)
+    if (r->objects > SCENE_OBJECTS)
         return false;
-    return ++r->things <= SCENE_OBJECTS || fault_many(r, span);
+    return ++r->objects <= SCENE_OBJECTS || fault_many(r, span);
 }
 
 static bool push_object(SceneReader *r, const SceneNodeDesc *desc, SceneObject object)
@@ -443,7 +443,7 @@ void scene_objects_read(SceneReader *r, const Tree *list)
 void scene_objects_check_unused(SceneReader *r)
 {
     const int objects = r->scene->object_count;
-    r->things = 0;
+    r->objects = 0;
     for (uint32_t i = 0; r->definitions && i < r->definitions->count; i++) {
         Tree *definition = scene_definition_unused(r, i);
         if (definition)

@@ -274,7 +274,7 @@ float maskedOf(float alpha, float cosine)
 
 // Returns GGX's lobe with Smith's height-correlated masking and a Fresnel term of 1, divided by 4
 // times the eye's cosine; h is the half vector, and `eye` the eye's cosine and its maskedOf().
-float facets(float alpha, vec3 normal, vec3 h, float cosine, vec2 eye)
+float microfacets(float alpha, vec3 normal, vec3 h, float cosine, vec2 eye)
 {
     float alpha2 = alpha * alpha, high = dot(normal, h);
     vec3 across = cross(normal, h);

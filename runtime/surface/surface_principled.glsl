@@ -20,7 +20,7 @@ struct Lit {
 #ifdef LIGHT_HAS_SKY
     vec3 specularRescattered; // specular part that is scattered repeatedly, or spread by layers
 #endif
-    Roughness facets;
+    Roughness microfacets;
     float metal, alpha, cosine, masked, reflectance, kept; // masked: maskedOf() toward the eye
     // multiple scattering; diffuse transmittance to the eye, layers included
     TONE again, baseOfEye;
@@ -78,7 +78,7 @@ vec2 baseAlbedo(Lit m, vec3 v, float cosine)
 #ifdef LIT_ANISOTROPY
     return albedoAlong(cosine, anisotropyToward(m.anisotropy, v), m.anisotropy);
 #else
-    return albedo(cosine, m.facets);
+    return albedo(cosine, m.microfacets);
 #endif
 }
 
@@ -87,7 +87,7 @@ vec2 baseAround(Lit m, float cosine)
 #ifdef LIT_ANISOTROPY
     return albedoAround(cosine, m.anisotropy);
 #else
-    return albedo(cosine, m.facets);
+    return albedo(cosine, m.microfacets);
 #endif
 }
 
@@ -141,8 +141,8 @@ void litCoat(Surface s, inout Lit m)
         smoother2 = smoother * smoother;
     // 1 for a smooth coat of index 1.6
     float share = m.coat * (1.0 - m.coatReflectance) * smoother2 * smoother2 * smoother * 1.0563;
-    m.spread = coatSpread(m.facets.rough, share);
-    m.stray = 0.022 * share * smoothstep(0.1, 0.35, m.facets.rough);
+    m.spread = coatSpread(m.microfacets.rough, share);
+    m.stray = 0.022 * share * smoothstep(0.1, 0.35, m.microfacets.rough);
 }
 #endif
 
@@ -158,7 +158,7 @@ void litFuzz(Surface s, inout Lit m)
     m.fuzzOfEye = fuzzThrough(m, m.cosine);
     m.fuzzMean = 0.0;
     m.layered = m.layered || m.fuzz > 0.0;
-    m.fuzzSpread = fuzzSpread(m.facets.rough, m.fuzz / (0.8 + 1.05 * m.fuzzRough));
+    m.fuzzSpread = fuzzSpread(m.microfacets.rough, m.fuzz / (0.8 + 1.05 * m.fuzzRough));
 }
 #endif
 
@@ -220,7 +220,7 @@ void litMeans(inout Lit m, out vec3 mean, out vec3 left, out vec2 meanMultipleSc
 #endif
     meanMultipleScattering = vec2(0.0);
 #ifdef LIT_LAYERS
-    m.multipleScatteringMore = 1.0 + 1.75 * smoothstep(0.15, 0.4, m.facets.rough);
+    m.multipleScatteringMore = 1.0 + 1.75 * smoothstep(0.15, 0.4, m.microfacets.rough);
 #endif
     for (int i = 0; i < 6; i++) {
         float t = i < 3 ? PLACE[i] : 1.0 - PLACE[5 - i],
@@ -312,17 +312,17 @@ Lit surfaceLit(Surface s, vec3 toEye)
     m.kept = 1.0 - holesOf(s);
 #endif
     // limit of float precision: a narrower lobe would fall between floats
-    m.facets = roughnessOf(clamp(rough, 0.0316227766, 1.0));
+    m.microfacets = roughnessOf(clamp(rough, 0.0316227766, 1.0));
 #ifdef LIT_ANISOTROPY
-    m.anisotropy = anisotropyOf(s.anisotropy, m.normal, m.facets.rough);
+    m.anisotropy = anisotropyOf(s.anisotropy, m.normal, m.microfacets.rough);
 #endif
-    m.alpha = m.facets.alpha;
+    m.alpha = m.microfacets.alpha;
 #ifdef LIT_FILM
     m.film = filmOf(s);
 #endif
     m.cosine = clamp(dot(m.normal, toEye), 1e-3, 1.0);
 #ifdef LIGHT_HAS_AREAS
-    m.roughnessInto = areaMicrofacets(m.facets.rough, m.normal, toEye);
+    m.roughnessInto = areaMicrofacets(m.microfacets.rough, m.normal, toEye);
 #endif
 #ifdef LIT_LAYERS
     m.layered = false;
@@ -406,7 +406,7 @@ Lit surfaceLit(Surface s, vec3 toEye)
     m.lossRatio *= layers.z;
     m.baseOfEye *= layers.z;
 #ifdef LIT_COAT
-    m.coatVeil = veiled(m.coatOfEye, m.coatMean, m.facets.rough, m.cosine);
+    m.coatVeil = veiled(m.coatOfEye, m.coatMean, m.microfacets.rough, m.cosine);
     m.even *= m.coatTint;
 #ifdef LIT_BEHIND
     m.evenBehind *= m.coatTint;
@@ -418,7 +418,7 @@ Lit surfaceLit(Surface s, vec3 toEye)
 #endif
 #endif
 #ifdef LIT_FUZZ
-    m.fuzzVeil = veiled(m.fuzzOfEye, m.fuzzMean, m.facets.rough, m.cosine);
+    m.fuzzVeil = veiled(m.fuzzOfEye, m.fuzzMean, m.microfacets.rough, m.cosine);
 #ifdef LIT_COAT
     m.fuzzCoatVeil = veiled(m.fuzzOfEye, m.fuzzMean, m.coatMicrofacets.rough, m.coatCosine);
 #endif

@@ -86,7 +86,7 @@ vec3 surfaceLobe(Lit m, vec3 l)
 #ifdef LIT_ANISOTROPY
     float once = microfacetsAlong(m.anisotropy, m.normal, l, h, cosine, vec2(m.cosine, m.masked));
 #else
-    float once = facets(m.alpha, m.normal, h, cosine, vec2(m.cosine, m.masked));
+    float once = microfacets(m.alpha, m.normal, h, cosine, vec2(m.cosine, m.masked));
 #endif
     vec2 own = baseAlbedo(m, l, cosine);
     float again = cosine * own.x * m.lossRatio;
@@ -95,14 +95,14 @@ vec3 surfaceLobe(Lit m, vec3 l)
     vec3 above = vec3(0.0);
     vec2 stray = vec2(0.0);
     if (m.layered) {
-        float ofCoat = coatCosineOf(m, l, cosine), even = evenOf(m.facets.rough, cosine);
+        float ofCoat = coatCosineOf(m, l, cosine), even = evenOf(m.microfacets.rough, cosine);
         vec4 layers = below(m, cosine, ofCoat, own.x);
         stray = cosine * strayed(m, layers.w, own) * m.multipleScatteringRatio;
         matt *= layers.z;
         again *= layers.z;
 #ifdef LIT_COAT
         once *= (1.0 - m.stray) * veil(layers.x, m.coatVeil, m.coatMean, even);
-        float shine = m.coatShine * facets(m.coatAlpha, m.coatNormal, h, ofCoat,
+        float shine = m.coatShine * microfacets(m.coatAlpha, m.coatNormal, h, ofCoat,
             vec2(m.coatCosine, m.coatMasked)) * mix(rest5, 1.0, m.coatReflectance);
 #ifdef LIT_COAT_NORMAL
         shine = dot(m.coatNormal, l) > 0.0 ? shine : 0.0;
@@ -201,12 +201,12 @@ vec3 surfaceSky(Lit m)
         once = m.specular - m.specularRescattered;
     if (any(greaterThan(once, vec3(0.0)))) {
 #ifdef LIT_ANISOTROPY
-        SkyMicrofacets facets = SkyMicrofacets(mat3(m.anisotropy.along, m.anisotropy.across,
+        SkyMicrofacets microfacets = SkyMicrofacets(mat3(m.anisotropy.along, m.anisotropy.across,
             m.normal), m.anisotropy.widths);
 #else
-        SkyMicrofacets facets = skyMicrofacetsEven(m.normal, m.alpha);
+        SkyMicrofacets microfacets = skyMicrofacetsEven(m.normal, m.alpha);
 #endif
-        sum += once * skySent(facets, m.toEye, mix(m.tint * m.reflectance, m.base, m.metal),
+        sum += once * skySent(microfacets, m.toEye, mix(m.tint * m.reflectance, m.base, m.metal),
             mix(m.tint, vec3(1.0), m.metal));
     }
 #ifdef LIT_BEHIND

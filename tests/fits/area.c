@@ -30,7 +30,7 @@ enum {
 
 typedef struct {
     double alpha, eye[3], albedo, mean[3]; /* mean: Z */
-} Facets;
+} Microfacets;
 
 typedef struct {
     double rough, cosine, found[PARTS], weight;
@@ -43,7 +43,7 @@ static double lambda(double alpha, double cosine)
 
 /* Value of the lobe in a direction, all being 1, and the density by which facets are chosen; 0
  * below the horizon. */
-static double lobe(const Facets *f, const double l[3], double *density)
+static double lobe(const Microfacets *f, const double l[3], double *density)
 {
     *density = 0;
     if (l[2] <= 0)
@@ -58,7 +58,7 @@ static double lobe(const Facets *f, const double l[3], double *density)
 }
 
 /* The mirrored direction by a visible facet (Heitz 2018), of two numbers in (0, 1). */
-static void choose(const Facets *f, const double u[2], double l[3])
+static void choose(const Microfacets *f, const double u[2], double l[3])
 {
     const double x = f->alpha * f->eye[0], size = hypot(x, f->eye[2]),
                  w[2] = {x / size, f->eye[2] / size};
@@ -72,10 +72,10 @@ static void choose(const Facets *f, const double u[2], double l[3])
         l[i] = 2 * facing * h[i] / length - f->eye[i];
 }
 
-static void place(double alpha, double cosine, Facets *f)
+static void place(double alpha, double cosine, Microfacets *f)
 {
     enum { MANY = 64 };
-    *f = (Facets){
+    *f = (Microfacets){
         .alpha = alpha, .eye = {sqrt(fmax(1 - cosine * cosine, 0)), 0, cosine}, .albedo = 1};
     double sum = 0, mean[3] = {0};
     for (int i = 0; i < MANY * MANY; i++) {
@@ -93,14 +93,14 @@ static void place(double alpha, double cosine, Facets *f)
     f->mean[2] = cosine < 1 ? mean[2] / length : 1;
 }
 
-static double transformed(const Facets *f, const double m[3], const double l[3])
+static double transformed(const Microfacets *f, const double m[3], const double l[3])
 {
     const double x = l[0] * f->mean[2] - l[2] * f->mean[0], z = dot(l, f->mean);
     const double o[3] = {(x - m[2] * z) / m[0], l[1] / m[1], z}, length = sqrt(dot(o, o));
     return z <= 0 ? 0 : z / length / (PI * m[0] * m[1] * pow(length, 3));
 }
 
-static double difference(const Facets *f, const double m[3])
+static double difference(const Microfacets *f, const double m[3])
 {
     if (m[0] < 1e-5 || m[1] < 1e-5)
         return INFINITY;
@@ -125,7 +125,7 @@ static double difference(const Facets *f, const double m[3])
 }
 
 /* Nelder and Mead's simplex, from m on. */
-static void descend(const Facets *f, double step, double m[3])
+static void descend(const Microfacets *f, double step, double m[3])
 {
     double corner[4][3], value[4];
     for (int i = 0; i < 4; i++) {
@@ -186,7 +186,7 @@ static int find_samples(Sample *samples)
         for (int j = 0; j < COSINES; j++) {
             const double t = (double)j / (COSINES - 1),
                          cosine = j == COSINES - 1 ? .01 : 1 - .997 * t * t;
-            Facets f;
+            Microfacets f;
             place(alpha, cosine, &f);
             if (j == 0) { /* alike all around */
                 for (int k = 0; k < 3; k++)

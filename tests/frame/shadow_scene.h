@@ -16,7 +16,7 @@
 #define SHADOW_SCENE_PLANE "objects:\n- { object: Plane, material: m }\n"
 /* Meshes that meet: all of them the ground, a box another box, a cone a cylinder. `detail` is of
  * the ball, as in "detail: 48, ". */
-#define SHADOW_SCENE_THINGS(detail)                                                                \
+#define SHADOW_SCENE_OBJECTS(detail)                                                               \
     "- { object: Sphere, radius: .8, " detail                                                      \
     "material: m, transform: { translation: [-.6, -.4, .8] } }\n"                                  \
     "- { object: Box, material: m, transform: { translation: [1, .5, .5], rotation: [0, 0, .3] } " \
@@ -66,7 +66,7 @@ Scene *shadow_scene(const ShadowScene *from, const MatcOptions *options, MatcDoc
         "  { light: Point, position: [1, -2, 4], intensity: 9, shadows: " method " },\n"           \
         "  { light: Point, position: [-2, -2, 3], intensity: 4, shadows: map }" more               \
         "]\n" SHADOW_SCENE_PLANE                                                                   \
-        SHADOW_SCENE_THINGS(                                                                       \
+        SHADOW_SCENE_OBJECTS(                                                                      \
             detail) "- { object: Parallelogram, u: [1, 0, 0], v: [0, 1, 0], material: g, "         \
                     "transform: { translation: [-.4, -1.6, 1.3] } }\n"
 

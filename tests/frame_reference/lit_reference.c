@@ -77,7 +77,7 @@ static double film_reflected(const LitReference *lit, double cosine, double base
 
 /* Schlick's Fresnel term. For metal, Hoffman's term in cosine (1 - cosine)^6 lowers it to the tint
  * at 82 degrees, whose cosine is 1/7. */
-static double facet_fresnel(const LitReference *lit, bool metal, double cosine, int component)
+static double microfacet_fresnel(const LitReference *lit, bool metal, double cosine, int component)
 {
     const double low = metal ? clamped(lit->slots.component[SLOT_diffuse][component], 0, 1)
                              : share(lit, SLOT_reflectance);
@@ -104,7 +104,7 @@ static double masking(const double widths[2], const double w[3])
 
 /* pi times the cosine of the light times the BRDF of single scattering, with a Fresnel term of
  * 1. */
-static double facets_once(const double widths[2], const double v[3], const double l[3])
+static double microfacets_once(const double widths[2], const double v[3], const double l[3])
 {
     double h[3];
     for (int i = 0; i < 3; i++)
@@ -116,7 +116,7 @@ static double facets_once(const double widths[2], const double v[3], const doubl
 }
 
 /* Samples the normal of a microfacet that v sees, from two numbers in [0, 1) (Heitz 2018). */
-static void visible_facet(double alpha, const double v[3], const double at[2], double h[3])
+static void visible_microfacet(double alpha, const double v[3], const double at[2], double h[3])
 {
     const double x = alpha * v[0], size = hypot(x, v[2]), wx = x / size, wz = v[2] / size;
     const double r = sqrt(at[0]), turn = 2 * PI * at[1], t = r * cos(turn), k = (1 + wz) / 2;
@@ -129,7 +129,8 @@ static void visible_facet(double alpha, const double v[3], const double at[2], d
 }
 
 /* Directional albedo of single scattering, by components of the Fresnel term; NULL: a term of 1. */
-static void facet_albedo(double alpha, double cosine, const LitTable *fresnel, double albedo[3])
+static void microfacet_albedo(double alpha, double cosine, const LitTable *fresnel,
+                              double albedo[3])
 {
     enum { RINGS = 24, TURNS = 32 };
     const double v[3] = {sqrt(fmax(1 - cosine * cosine, 0)), 0, cosine};
@@ -138,7 +139,7 @@ static void facet_albedo(double alpha, double cosine, const LitTable *fresnel, d
     for (int i = 0; i < RINGS * TURNS; i++) {
         const double at[2] = {(i / TURNS + .5) / RINGS, (i % TURNS + .5) / TURNS};
         double h[3], l[3];
-        visible_facet(alpha, v, at, h);
+        visible_microfacet(alpha, v, at, h);
         const double facing = dot(v, h);
         for (int k = 0; k < 3; k++)
             l[k] = 2 * facing * h[k] - v[k];
@@ -208,7 +209,7 @@ static void open_layers(LitReference *lit)
         }
     for (int i = 0; i <= LIT_STEPS && coat > 0; i++) {
         double albedo[3];
-        facet_albedo(coat_alpha(lit), step_cosine(i), &fresnel, albedo);
+        microfacet_albedo(coat_alpha(lit), step_cosine(i), &fresnel, albedo);
         lit->coat.by[i][0] = 1 - coat * albedo[0];
     }
     for (int i = 0; i <= LIT_STEPS && fuzz > 0; i++)
@@ -231,13 +232,13 @@ static void open_base(LitReference *lit)
         for (int i = 0; i <= LIT_STEPS; i++)
             for (int component = 0; component < 3; component++)
                 lit->fresnel[metal].by[i][component] =
-                    facet_fresnel(lit, metal, step_cosine(i), component);
+                    microfacet_fresnel(lit, metal, step_cosine(i), component);
         table_mean(&lit->fresnel[metal]);
     }
     for (int i = 0; i <= LIT_STEPS; i++) {
         for (int metal = 0; metal < 2; metal++)
-            facet_albedo(alpha, step_cosine(i), &lit->fresnel[metal], lit->once[metal].by[i]);
-        facet_albedo(alpha, step_cosine(i), NULL, lit->loss.by[i]);
+            microfacet_albedo(alpha, step_cosine(i), &lit->fresnel[metal], lit->once[metal].by[i]);
+        microfacet_albedo(alpha, step_cosine(i), NULL, lit->loss.by[i]);
         for (int component = 0; component < 3; component++)
             lit->loss.by[i][component] = fmax(1 - lit->loss.by[i][component], 0);
     }
@@ -387,7 +388,7 @@ static void principled_lobe(const LitReference *lit, const double l[3], double p
     const double length = sqrt(dot(between, between)), facing = dot(between, to) / length;
     const double of_eye = layers_through(lit, eye, fmax(dot(lit->coat_normal, lit->eye), 1e-3));
     const double of_light = layers_through(lit, cosine, fmax(dot(lit->coat_normal, l), 1e-3));
-    const double once = facets_once(lit->widths, to, from) * sqrt(of_eye * of_light);
+    const double once = microfacets_once(lit->widths, to, from) * sqrt(of_eye * of_light);
     const double again = cosine * table_at(&lit->loss, cosine, 0) * table_at(&lit->loss, eye, 0) *
                          of_eye * of_light / lit->loss_mean;
     for (int i = 0; i < 3; i++) {

@@ -63,7 +63,7 @@ static double masked(double cosine, double alpha)
     return (sqrt(1 + alpha * alpha * (1 / (cosine * cosine) - 1)) - 1) / 2;
 }
 
-static double facets_along(double high, double alpha)
+static double microfacets_along(double high, double alpha)
 {
     const double wide = high * high * (alpha * alpha - 1) + 1;
     return alpha * alpha / (LOBE_PI * wide * wide);
@@ -87,7 +87,7 @@ void sky_reference_lobe(const SkyReferenceSurface *surface, const double eye[3],
     for (int k = 0; k < 3; k++)
         half[k] = eye[k] + way[k];
     const double length = sqrt(dot(half, half)), schlick = pow(1 - dot(half, eye) / length, 5);
-    const double once = LOBE_PI * facets_along(half[2] / length, alpha) /
+    const double once = LOBE_PI * microfacets_along(half[2] / length, alpha) /
                         (1 + masked(eye[2], alpha) + masked(way[2], alpha)) / (4 * eye[2]);
     albedo_at(surface, eye[2], v);
     albedo_at(surface, way[2], l);
@@ -126,7 +126,7 @@ static void frame_around(const double normal[3], double axes[3][3])
 
 /* The direction that a visible facet sends the eye's ray to: a disc's point, lifted onto the half
  * sphere that faces the stretched eye (Heitz 2018). */
-static void facet_way(const double eye[3], double alpha, const double at[2], double way[3])
+static void microfacet_way(const double eye[3], double alpha, const double at[2], double way[3])
 {
     const double stretched[3] = {alpha * eye[0], alpha * eye[1], eye[2]},
                  size = sqrt(dot(stretched, stretched));
@@ -157,10 +157,10 @@ static void facet_way(const double eye[3], double alpha, const double at[2], dou
 }
 
 /* How dense directions by visible facets are. */
-static double facet_density(const double eye[3], double alpha, const double way[3])
+static double microfacet_density(const double eye[3], double alpha, const double way[3])
 {
     const double half[3] = {eye[0] + way[0], eye[1] + way[1], eye[2] + way[2]};
-    return facets_along(half[2] / sqrt(dot(half, half)), alpha) / (1 + masked(eye[2], alpha)) /
+    return microfacets_along(half[2] / sqrt(dot(half, half)), alpha) / (1 + masked(eye[2], alpha)) /
            (4 * eye[2]);
 }
 
@@ -213,7 +213,7 @@ void sky_reference_sent(const SkyReference *reference, const SkyReferenceSurface
             for (int k = 0; k < 3; k++)
                 way[k] = dot(axes[k], world);
         } else {
-            facet_way(eye, alpha, at, way);
+            microfacet_way(eye, alpha, at, way);
             for (int k = 0; k < 9; k++)
                 world[k % 3] += way[k / 3] * axes[k / 3][k % 3];
         }
@@ -221,7 +221,7 @@ void sky_reference_sent(const SkyReference *reference, const SkyReferenceSurface
             continue;
         sky_reference_lobe(surface, eye, way, lobe);
         reference->light(reference->sky, world, light);
-        const double density = facet_density(eye, alpha, way) + sky_density(reference, world);
+        const double density = microfacet_density(eye, alpha, way) + sky_density(reference, world);
         for (int k = 0; k < 3; k++)
             rgb[k] += lobe[k] / LOBE_PI * light[k] / density / samples;
     }

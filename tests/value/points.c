@@ -198,7 +198,7 @@ static void surface_of(const PointSet *points, int i, Surface *surface)
         point_swings(&points->at[i], surface->tangent_slopes);
 }
 
-enum { AXES = 8, FRAME_LANES = 3 * COMPONENTS_OF_GROUP, CORNERS = 16, MANY_CORNERS = 96 };
+enum { AXES = 8, FRAME_COMPONENTS = 3 * COMPONENTS_OF_GROUP, CORNERS = 16, MANY_CORNERS = 96 };
 
 /* Rows of a Hadamard matrix: any two of the eight axes meet in all four combinations of signs. */
 static double corner_sign(int corner, int axis)
@@ -223,7 +223,7 @@ static void move(Surface *surface, int corner, const Reach *reach)
     double part = 1 - fraction(corner * 0.61803398874989485);
     for (int i = 0; i < AXES; i++)
         shift(&surface->root[axes[i]], part * corner_sign(corner, i), reach, reach->least);
-    for (int i = 0; i < FRAME_LANES; i++)
+    for (int i = 0; i < FRAME_COMPONENTS; i++)
         shift(&surface->root[channel_id(GROUP_N, i)], part * corner_sign(corner, i + 2), reach, 0);
 }
 

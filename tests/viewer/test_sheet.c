@@ -101,7 +101,7 @@ static void pictures_lie_in_order(void **state)
     assert_int_equal(sheet.count, 0);
 }
 
-static void what_cannot_be_is_told(void **state)
+static void what_cannot_be_is_reported(void **state)
 {
     (void)state;
     ContactSheet sheet = {.width = 6000, .height = 6000};
@@ -163,8 +163,10 @@ static void letters_differ(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(columns_fill_rows),      cmocka_unit_test(pictures_lie_in_order),
-        cmocka_unit_test(what_cannot_be_is_told), cmocka_unit_test(capacity_is_known_before),
+        cmocka_unit_test(columns_fill_rows),
+        cmocka_unit_test(pictures_lie_in_order),
+        cmocka_unit_test(what_cannot_be_is_reported),
+        cmocka_unit_test(capacity_is_known_before),
         cmocka_unit_test(letters_differ),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

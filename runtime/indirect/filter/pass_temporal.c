@@ -88,7 +88,7 @@ static unsigned dirty_of(const Renderer *renderer)
 {
     /* screen-space hits change with every move of the camera */
     const bool shown = !indirect_reads_radiance(renderer);
-    return renderer->indirect->history.doubts |
+    return renderer->indirect->history.dirty |
            (shown ? INDIRECT_DIRTY_light | INDIRECT_DIRTY_ao : 0);
 }
 
@@ -97,7 +97,7 @@ static int fill_block(Renderer *renderer, float (*block)[4])
 {
     static const double one[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
     const IndirectHistory *history = &renderer->indirect->history;
-    const unsigned doubts = dirty_of(renderer);
+    const unsigned dirty = dirty_of(renderer);
     double world_from_eye[16];
     invert_eye(renderer->space.eye_from_world, world_from_eye);
     put_product(one, world_from_eye, block + TEMPORAL_WORLD);
@@ -107,8 +107,8 @@ static int fill_block(Renderer *renderer, float (*block)[4])
     block[TEMPORAL_LIMITS][0] = (float)indirect_most_sets(renderer);
     block[TEMPORAL_LIMITS][1] = history->there;
     block[TEMPORAL_LIMITS][2] = history->still;
-    block[TEMPORAL_DIRTY][0] = (doubts & INDIRECT_DIRTY_light) != 0;
-    block[TEMPORAL_DIRTY][1] = (doubts & INDIRECT_DIRTY_ao) != 0;
+    block[TEMPORAL_DIRTY][0] = (dirty & INDIRECT_DIRTY_light) != 0;
+    block[TEMPORAL_DIRTY][1] = (dirty & INDIRECT_DIRTY_ao) != 0;
     block[TEMPORAL_DIRTY][2] = (float)reach_of(renderer);
     const bool moved = history->there && !history->still &&
                        indirect_motion_draw(renderer, history->eye_from_world, block);
@@ -138,7 +138,7 @@ static void blend(Renderer *renderer)
     history->sets = history->still ? history->sets + 1 : 1;
     history->number++;
     history->there = history->still = true;
-    history->doubts = 0;
+    history->dirty = 0;
     indirect_motion_end(renderer);
 }
 

@@ -122,9 +122,9 @@ bool temporalIsNear(vec3 point)
 // with the distance by which they were outside.
 void temporalLimit(inout TemporalKept kept, ivec2 at, vec3 point, vec3 normal)
 {
-    bvec2 doubt = greaterThan(temporal_dirty.xy, vec2(0.0));
-    doubt.y = doubt.y || temporalIsNear(point);
-    if (!any(doubt)) return;
+    bvec2 dirty = greaterThan(temporal_dirty.xy, vec2(0.0));
+    dirty.y = dirty.y || temporalIsNear(point);
+    if (!any(dirty)) return;
     vec4 sum = vec4(0.0), squares = vec4(0.0);
     float count = 0.0, width = indirectPixelSize(point) * float(INDIRECT_COARSE);
     ivec2 size = textureSize(temporal_rays, 0);
@@ -145,9 +145,9 @@ void temporalLimit(inout TemporalKept kept, ivec2 at, vec3 point, vec3 normal)
         1.5 * sqrt(max(squares / count - mean * mean, vec4(0.0)) / count);
     vec4 limited = clamp(kept.value, mean - off, mean + off),
         beyond = abs(kept.value - limited) / (off + 1e-4);
-    if (doubt.x) kept.value.xyz = limited.xyz;
-    if (doubt.y) kept.value.w = limited.w;
-    float most = max(doubt.x ? max(max(beyond.x, beyond.y), beyond.z) : 0.0, doubt.y ? beyond.w
+    if (dirty.x) kept.value.xyz = limited.xyz;
+    if (dirty.y) kept.value.w = limited.w;
+    float most = max(dirty.x ? max(max(beyond.x, beyond.y), beyond.z) : 0.0, dirty.y ? beyond.w
         : 0.0);
     kept.sets *= clamp(1.0 - most, 0.0, 1.0);
 }

@@ -126,9 +126,9 @@ void indirect_forget(Renderer *renderer)
     history->sets = 0;
 }
 
-void indirect_invalidate(Renderer *renderer, unsigned doubts)
+void indirect_invalidate(Renderer *renderer, unsigned dirty)
 {
-    renderer->indirect->history.doubts |= doubts;
+    renderer->indirect->history.dirty |= dirty;
     renderer->indirect->moving.on = true;
 }
 

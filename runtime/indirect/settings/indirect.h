@@ -53,7 +53,7 @@ GLuint indirect_kept(const Renderer *renderer);
 void indirect_forget(Renderer *renderer);
 /* Lowers the weight of accumulated samples, more so near moved objects; `doubts` is a set of
  * IndirectDirty. */
-void indirect_invalidate(Renderer *renderer, unsigned doubts);
+void indirect_invalidate(Renderer *renderer, unsigned dirty);
 /* Frees the resources of FrameIndirect. */
 void indirect_delete(Renderer *renderer);
 #endif

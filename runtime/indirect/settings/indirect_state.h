@@ -21,7 +21,7 @@ typedef struct {
     unsigned number;                  /* number of all sets so far */
     /* History exists; nothing has changed since; the wanted error is reached. */
     bool there, still, exact;
-    unsigned doubts;           /* bit set of IndirectDirty: samples that may be out of date */
+    unsigned dirty;            /* bit set of IndirectDirty: samples that may be out of date */
     double eye_from_world[16]; /* view of the accumulated frame */
     float ray[4], depth[4];
 } IndirectHistory;

@@ -122,7 +122,7 @@ bool silhouetteReaches(int view, vec3 point, vec3 normal, float pixel)
     return !silhouetteCovers(covered.wz, covered.xy, cut, part);
 }
 
-#ifdef FACETS // triangle.glsl sets both variables for each light
+#ifdef MICROFACETS // triangle.glsl sets both variables for each light
 vec3 triangle_side = vec3(0.0); // triangle normal of the pixel, towards the light; 0: unknown
 // the triangle faces away from the light, while the shading normal does not
 bool triangle_away = false;
@@ -164,7 +164,7 @@ SHARE silhouetteShare(int first, int count, vec3 point, vec3 normal, float pixel
         place = shadowOnFace(vec3(place.xy * (0.5 * how.y * float(SHADOW_SIZE)), place.z), face);
     if (how.x > 0.0 && place.z <= 0.0) return shadowNone(); // the point is behind a spot light
     float texel = how.y * (how.x > 0.0 ? place.z : 1.0);
-#ifdef FACETS
+#ifdef MICROFACETS
     if (triangle_away) return SHARE(0.0);
     if (!silhouetteReaches(first + face, point, triangle_side == vec3(0.0) ? normal : triangle_side,
         pixel / texel))

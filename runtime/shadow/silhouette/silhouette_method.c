@@ -42,7 +42,7 @@ static bool has_views(const Renderer *renderer)
 static void write_text(const Renderer *renderer, bool nearest, ShadowMethodText *made)
 {
     const char **next = made->texts;
-    const bool facets =
+    const bool microfacets =
         nearest && shadow_method_seen(renderer) == &shadow_silhouette && seen_needed(renderer);
     if (!silhouette_layers(renderer))
         return;
@@ -50,10 +50,10 @@ static void write_text(const Renderer *renderer, bool nearest, ShadowMethodText 
     if (!has_views(renderer))
         return;
     snprintf(made->defined, sizeof made->defined, "#define SHADOW_SILHOUETTES\n%s",
-             facets ? "#define FACETS\n" : "");
+             microfacets ? "#define MICROFACETS\n" : "");
     *next++ = render_text_silhouette;
     made->calls[SHADOW_CALL_view] = "silhouetteShare";
-    if (!facets)
+    if (!microfacets)
         return;
     *next = render_text_triangle;
     made->calls[SHADOW_CALL_pixel] = "triangleFind";

@@ -72,7 +72,7 @@ static void moves_are_what_changes(void **state)
 }
 
 /* Definitions that nobody uses, and what a fault stands beside, are not doubted. */
-static void doubts_are_of_what_is_used(void **state)
+static void lints_judge_what_is_used(void **state)
 {
     static const struct {
         const char *text;
@@ -106,6 +106,6 @@ static void doubts_are_of_what_is_used(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(moves_are_what_changes),
-                                       cmocka_unit_test(doubts_are_of_what_is_used)};
+                                       cmocka_unit_test(lints_judge_what_is_used)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -151,7 +151,7 @@ static void operators_bind_as_in_mathematics(void **state)
 }
 
 /* Each has a fault, and so many of them. */
-static void faults_are_told(void **state)
+static void faults_are_reported(void **state)
 {
     (void)state;
     static const struct {
@@ -182,11 +182,11 @@ static void faults_are_told(void **state)
         {"u : v", 1, DIAG_formula_choice, 2},
         {"u, v", 1, DIAG_formula_comma, 1},
         {"(u, v)", 1, DIAG_formula_comma, 2},
-        {"uv.z", 1, DIAG_formula_lanes, 2},
-        {"p.xg", 1, DIAG_formula_lanes, 1},
-        {"p.xyzxy", 1, DIAG_formula_lanes, 1},
-        {"p[3]", 1, DIAG_formula_lanes, 1},
-        {"p[u]", 1, DIAG_formula_lanes, 1},
+        {"uv.z", 1, DIAG_formula_components, 2},
+        {"p.xg", 1, DIAG_formula_components, 1},
+        {"p.xyzxy", 1, DIAG_formula_components, 1},
+        {"p[3]", 1, DIAG_formula_components, 1},
+        {"p[u]", 1, DIAG_formula_components, 1},
         {"[p, uv]", 1, DIAG_formula_list, 0},
         {"vec2(p)", 1, DIAG_formula_vector, 0},
         {"vec3()", 1, DIAG_formula_vector, 0},
@@ -355,7 +355,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(examples_are_as_they_say),
         cmocka_unit_test(operators_bind_as_in_mathematics),
-        cmocka_unit_test(faults_are_told),
+        cmocka_unit_test(faults_are_reported),
         cmocka_unit_test(misspelt_names_are_reported),
         cmocka_unit_test(every_term_is_total),
         cmocka_unit_test(foreign_names_are_not_ours),

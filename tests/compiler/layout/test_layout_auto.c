@@ -287,7 +287,7 @@ static void constants_are_for_those_to_which_they_matter(void **state)
     set_close(&set);
 }
 
-static void none_is_told(void **state)
+static void none_is_reported(void **state)
 {
     (void)state;
     MatcRanges ranges;
@@ -322,7 +322,7 @@ int main(void)
         cmocka_unit_test(mixed_sets_have_cases),
         cmocka_unit_test(none_is_without_a_case),
         cmocka_unit_test(constants_are_for_those_to_which_they_matter),
-        cmocka_unit_test(none_is_told),
+        cmocka_unit_test(none_is_reported),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -171,7 +171,7 @@ static void json_is_read_too(void **state)
 }
 
 /* A material that has another value where the layout has a constant is warned of. */
-static void another_constant_is_told(void **state)
+static void another_constant_is_reported(void **state)
 {
     (void)state;
     static const char same[] = "material: RGBA\n",
@@ -300,7 +300,7 @@ int main(void)
         cmocka_unit_test(all_of_a_file_reads_back),
         cmocka_unit_test(a_range_is_counted_from_its_lower_end),
         cmocka_unit_test(json_is_read_too),
-        cmocka_unit_test(another_constant_is_told),
+        cmocka_unit_test(another_constant_is_reported),
         cmocka_unit_test(unpacking_holds_what_is_taken),
         cmocka_unit_test(examples_keep_what_they_promise),
     };

@@ -130,7 +130,7 @@ static void pictures_do_not_mix(void **state)
 
 /* Faults of the compiler are passed on unchanged; a slot that a layout lacks is named by the error.
  * */
-static void faults_are_told(void **state)
+static void faults_are_reported(void **state)
 {
     (void)state;
     static const struct {
@@ -170,7 +170,7 @@ int main(void)
         cmocka_unit_test(pictures_are_alike),
         cmocka_unit_test(shapes_are_seen),
         cmocka_unit_test(pictures_do_not_mix),
-        cmocka_unit_test(faults_are_told),
+        cmocka_unit_test(faults_are_reported),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

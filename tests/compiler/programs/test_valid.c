@@ -176,7 +176,7 @@ static void spirv_passes_spirv_val(void **state)
 }
 
 /* Programs that were linked before are recognized, and no other is accepted for them. */
-static void linked_programs_are_told_apart(void **state)
+static void linked_programs_are_distinguished(void **state)
 {
     (void)state;
     static const char head[] =
@@ -213,7 +213,7 @@ int main(int count, char **arguments)
     const struct CMUnitTest spirv[] = {cmocka_unit_test(spirv_passes_spirv_val)};
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(examples_are_valid),
-        cmocka_unit_test(linked_programs_are_told_apart),
+        cmocka_unit_test(linked_programs_are_distinguished),
     };
     if (count < 2 || strcmp(arguments[1], "spirv") != 0)
         return cmocka_run_group_tests(tests, NULL, NULL);

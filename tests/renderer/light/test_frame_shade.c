@@ -90,7 +90,7 @@ static Count at_angle(GlContext *gl, const Lamp *lamp, const double angle[2], co
         snprintf(direction_text, sizeof direction_text, ", direction: [%g, %g, %g]", -at[0], -at[1],
                  -at[2]);
     snprintf(text, sizeof text,
-             VIEW "shadowMaps: %s\nlights: [{ light: %s%s%s }]\n%s" SHADOW_SCENE_THINGS(""), maps,
+             VIEW "shadowMaps: %s\nlights: [{ light: %s%s%s }]\n%s" SHADOW_SCENE_OBJECTS(""), maps,
              lamp->kind, place_text, direction_text, objects);
     return compare(gl, text, add_pixel);
 }
@@ -190,7 +190,7 @@ static void seen_from_the_light(void **state)
             char text[4096];
             snprintf(text, sizeof text,
                      VIEW "shadowMaps: { filter: %d }\nlights: [{ light: %s, position: [1.5, -7, "
-                          "4] }]\n" SHADOW_SCENE_GROUND SHADOW_SCENE_THINGS(""),
+                          "4] }]\n" SHADOW_SCENE_GROUND SHADOW_SCENE_OBJECTS(""),
                      filter, lamps[i]);
             const Count count = compare(gl, text, add_dark);
             print_message("filter %d, %.5s: %d lit, acne %d\n", filter, lamps[i], count.lit,
@@ -210,7 +210,7 @@ static char *graph_of(GlContext *gl, const char *switched, bool none)
     const MatcOptions options = frame_exact_options();
     MatcDocument *document;
     char text[4096];
-    snprintf(text, sizeof text, VIEW LAMPS SHADOW_SCENE_GROUND SHADOW_SCENE_THINGS(""), switched);
+    snprintf(text, sizeof text, VIEW LAMPS SHADOW_SCENE_GROUND SHADOW_SCENE_OBJECTS(""), switched);
     Scene *scene = frame_scene(text, &options, &document);
     Renderer *renderer =
         renderer_open(gl, &(RendererOptions){.compile = &options, .no_shadows = none});

@@ -41,7 +41,7 @@ static const char lobes[] =
     "return vec4(surfaceLobe(m, toward(0.05 + 0.9 * varied(p, 0.5701), 3.14159 + (0.5 - varied(p, "
     "0.91)) * roughOf(p))), 1.0); }\n";
 /* Half of the directions by what of GGX's facets the eye sees (Heitz 2018), half by the cosine. */
-static const char furnace[] = LOBE_FACET LOBE_SEEN
+static const char furnace[] = LOBE_MICROFACET LOBE_SEEN
     "float density(vec3 v, vec3 l, float a) { return 0.5 * (seen(v, l, a) + l.z) / 3.14159265; }\n"
     "vec3 sent(Surface surface, vec3 v) {\n"
     "    Lit m = surfaceLit(surface, v);\n"

@@ -191,7 +191,7 @@ static void base_is_its_definition(void **state)
 enum { ANGLES = 200 };
 static double albedos[SIDE][ANGLES][2], means[SIDE][2];
 
-static double between_facets(const double *numbers, double cosine)
+static double between_microfacets(const double *numbers, double cosine)
 {
     const int row = (int)numbers[0];
     const double place = fmin(sqrt(cosine) * (ANGLES - 1), ANGLES - 1.001),
@@ -203,7 +203,7 @@ static double between_facets(const double *numbers, double cosine)
                 own[0] * mean_f * mean_f * (1 - m[0]) / (1 - mean_f * m[0]));
 }
 
-static void lobes_are_below_facets(void **state)
+static void lobes_are_below_microfacets(void **state)
 {
     (void)state;
     static float reported[SIDE * SIDE][4];
@@ -220,17 +220,17 @@ static void lobes_are_below_facets(void **state)
                      base = .2 + .8 * varied(i, .618);
         double mean = 0;
         for (int k = 0; k < ANGLES; k++)
-            mean += between_facets(numbers, sqrt((k + .5) / ANGLES)) / ANGLES;
+            mean += between_microfacets(numbers, sqrt((k + .5) / ANGLES)) / ANGLES;
         for (int component = 0; component < 3; component++) {
             const double tone = base * (component == 0 ? 1 : component == 1 ? .5 : .9);
             const Grained of = {varied(i, .382),
                                 {cosines[0], cosines[1]},
                                 2 * LOBE_PI * varied(i, .91),
-                                between_facets,
+                                between_microfacets,
                                 numbers};
             const double lobe = lobe_of(&of, tone);
-            const double want = cosines[0] * between_facets(numbers, cosines[0]) *
-                                between_facets(numbers, cosines[1]) / mean * lobe;
+            const double want = cosines[0] * between_microfacets(numbers, cosines[0]) *
+                                between_microfacets(numbers, cosines[1]) / mean * lobe;
             worst = fmax(worst, fabs((double)reported[i][component] - want) / (.25 + want));
         }
     }
@@ -269,7 +269,7 @@ static void light_and_eye_change_places(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(base_is_its_definition), cmocka_unit_test(lobes_are_below_facets),
+        cmocka_unit_test(base_is_its_definition), cmocka_unit_test(lobes_are_below_microfacets),
         cmocka_unit_test(white_sends_all), cmocka_unit_test(light_and_eye_change_places)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -32,7 +32,7 @@ static const char soap[] =
     "0.0, 0.0, 1.0, 2.0 * 1.33 * (float(p.x) + 0.5 + SIDE * float(p.y)) / (SIDE * SIDE), 1.33);\n"
     "    return vec4(surfaceAmbient(surfaceLit(s, toward((p.x & 1) == 0 ? 1.0 : 0.5, 0.0)), "
     "vec3(1.0)), 1.0); }\n";
-static const char furnace[] = LOBE_FACET LOBE_SEEN
+static const char furnace[] = LOBE_MICROFACET LOBE_SEEN
     "float density(vec3 v, vec3 l, float a) { return 0.5 * (seen(v, l, a) + l.z) / 3.14159265; }\n"
     "vec3 sent(Surface surface, vec3 v) {\n"
     "    Lit m = surfaceLit(surface, v);\n"

@@ -57,7 +57,7 @@ static const char weights[] =
     "roughOf(p)); return vec4(surfaceLobe(surfaceLit(s, toward(cosineOf(p), 0.0)), l), 1.0); }\n";
 /* A third of the directions by what of the base's facets the eye sees (Heitz 2018), one by the
  * coat's, one by the cosine. */
-static const char furnace[] = LOBE_FACET LOBE_SEEN
+static const char furnace[] = LOBE_MICROFACET LOBE_SEEN
     "float sent(Surface surface, vec3 v) {\n"
     "    Lit m = surfaceLit(surface, v);\n"
     "    float sum = 0.0;\n"

@@ -28,7 +28,7 @@ static const char tools[] = LOBE_PIXELS
     "    reflectance, vec3(clear), clear, vec3(behind), coat.x, vec3(1.0), coat.y, 0.0533); }\n"
     "Surface leaf(ivec2 p) { return made(0.7 * varied(p, 0.618), varied(p, 0.382), 0.0, "
     "roughOf(p), 0.2 * varied(p, 0.137), vec2(0.0)); }\n";
-static const char furnace[] = LOBE_FACET LOBE_SEEN
+static const char furnace[] = LOBE_MICROFACET LOBE_SEEN
     "float sent(Surface surface, vec3 v) {\n"
     "    Lit m = surfaceLit(surface, v);\n"
     "    float sum = 0.0;\n"

@@ -290,7 +290,7 @@ static void tangents_turn_as_their_triangle(void **state)
     shape_free(&shape);
 }
 
-static void faults_are_told(void **state)
+static void faults_are_reported(void **state)
 {
     (void)state;
     static const struct {
@@ -454,7 +454,7 @@ int main(void)
         cmocka_unit_test(mirrored_halves_keep_their_tangents),
         cmocka_unit_test(normals_may_face_the_other_way),
         cmocka_unit_test(tangents_turn_as_their_triangle),
-        cmocka_unit_test(faults_are_told),
+        cmocka_unit_test(faults_are_reported),
         cmocka_unit_test(named_files_are_files),
         cmocka_unit_test(parts_are_checked),
     };

@@ -28,13 +28,13 @@ typedef struct {
     ExactCorners *corners;
     ExactObject all;
     ExactTriangles triangles;
-} Things;
+} Objects;
 
 /* All sizes down to `least` of the greatest, needles and points among them; as floats. */
-static Things some_things(int count, double least)
+static Objects some_objects(int count, double least)
 {
-    Things made = {.corners = malloc((size_t)count * sizeof *made.corners + 1),
-                   .all = {.count = count, .box = {{-2, -2, -2}, {2, 2, 2}}}};
+    Objects made = {.corners = malloc((size_t)count * sizeof *made.corners + 1),
+                    .all = {.count = count, .box = {{-2, -2, -2}, {2, 2, 2}}}};
     assert_non_null(made.corners);
     made.triangles = (ExactTriangles){.count = count, .reach = 2, .object_count = 1};
     for (int i = 0; i < count; i++) {
@@ -72,15 +72,15 @@ static Made open_made(size_t most)
     return made;
 }
 
-static bool make(Made *made, const Scene *scene, Things *things)
+static bool make(Made *made, const Scene *scene, Objects *objects)
 {
     const GlContext *gl = made->gl;
-    things->triangles.objects = &things->all;
+    objects->triangles.objects = &objects->all;
     gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, made->corners);
     gl->BufferData(GL_SHADER_STORAGE_BUFFER,
-                   (GLsizeiptr)((size_t)things->triangles.count * sizeof *things->corners),
-                   things->corners, GL_STATIC_DRAW);
-    if (!exact_cover_make(&made->cover, scene, &things->triangles, made->corners))
+                   (GLsizeiptr)((size_t)objects->triangles.count * sizeof *objects->corners),
+                   objects->corners, GL_STATIC_DRAW);
+    if (!exact_cover_make(&made->cover, scene, &objects->triangles, made->corners))
         return false;
     made->words = realloc(made->words, made->cover.words * sizeof *made->words);
     assert_non_null(made->words);
@@ -152,7 +152,7 @@ static bool is_listed(const Made *made, const uint32_t *head, long cell, uint32_
 }
 
 /* How many triangles were met, each of which is listed. */
-static int count_met(const Things *things, const Made *made, int light, int points)
+static int count_met(const Objects *objects, const Made *made, int light, int points)
 {
     const uint32_t *head = head_of(made, light);
     const bool placed = exact_cell_number(head, EXACT_LISTS_PLACED) > 0;
@@ -164,8 +164,8 @@ static int count_met(const Things *things, const Made *made, int light, int poin
             way[k] = exact_cell_number(head, EXACT_LISTS_FROM + k) - (placed ? at[k] : 0);
         }
         const long cell = exact_cell_of(head, at);
-        for (int t = 0; cell >= 0 && t < things->triangles.count; t++)
-            if (is_met((const float(*)[4])things->corners[t], at, way, placed ? 1 : INFINITY)) {
+        for (int t = 0; cell >= 0 && t < objects->triangles.count; t++)
+            if (is_met((const float(*)[4])objects->corners[t], at, way, placed ? 1 : INFINITY)) {
                 assert_true(is_listed(made, head, cell, (uint32_t)t));
                 met++;
             }
@@ -180,13 +180,13 @@ typedef struct {
     long covered, wide, listed;
 } Counts;
 
-static void count_cells(const Things *things, const Made *made, int light, Counts *counts)
+static void count_cells(const Objects *objects, const Made *made, int light, Counts *counts)
 {
     const uint32_t *head = head_of(made, light);
     const int size = (int)head[EXACT_LISTS_SIZE], faces = (int)head[EXACT_LISTS_VIEWS];
-    for (int t = 0; t < things->triangles.count * faces; t++) {
+    for (int t = 0; t < objects->triangles.count * faces; t++) {
         const int face = t % faces;
-        const ExactPolygon polygon = exact_cell_polygon(head, &things->corners[t / faces], face);
+        const ExactPolygon polygon = exact_cell_polygon(head, &objects->corners[t / faces], face);
         for (int i = 0; i < size * size; i++) {
             const bool covered =
                 exact_cell_has(head, &polygon, (int[]){i % size, i / size}, 1. / 64 - 1e-4);
@@ -224,21 +224,21 @@ enum { LIGHTS = sizeof lights / sizeof *lights, EXACT_LIGHTS = LIGHTS - 1 };
 
 static const Scene scene = {.lights = lights, .light_count = LIGHTS};
 
-static void free_things(Things *things) { free(things->corners); }
+static void free_objects(Objects *objects) { free(objects->corners); }
 
 static void all_are_listed(void **state)
 {
     (void)state;
-    Things things = some_things(TRIANGLES, .001);
+    Objects objects = some_objects(TRIANGLES, .001);
     Made made = open_made(MOST);
-    assert_true(make(&made, &scene, &things));
+    assert_true(make(&made, &scene, &objects));
     assert_int_equal(made.cover.light_count, EXACT_LIGHTS);
     assert_int_equal(made.cover.coarsened, 0);
     for (int i = 0; i < LIGHTS; i++)
         if (made.heads[i] >= 0)
-            assert_true(count_met(&things, &made, i, POINTS) > 100);
+            assert_true(count_met(&objects, &made, i, POINTS) > 100);
     close_made(&made);
-    free_things(&things);
+    free_objects(&objects);
 }
 
 /* Each cell has all that covers it where it is 1/64 wider on all sides, and 2 % more: what goes
@@ -246,21 +246,21 @@ static void all_are_listed(void **state)
 static void cells(void **state)
 {
     (void)state;
-    Things things = some_things(TRIANGLES, .001);
+    Objects objects = some_objects(TRIANGLES, .001);
     Made made = open_made(MOST);
-    assert_true(make(&made, &scene, &things));
+    assert_true(make(&made, &scene, &objects));
     for (int i = 0; i < LIGHTS; i++) {
         Counts counts = {0};
         if (made.heads[i] < 0)
             continue;
-        count_cells(&things, &made, i, &counts);
+        count_cells(&objects, &made, i, &counts);
         print_message("light %d: %ld triangles in cells 1/64 wider, %ld a bit beyond, %ld listed\n",
                       i, counts.covered, counts.wide, counts.listed);
         assert_true(counts.covered > TRIANGLES &&
                     (double)counts.listed <= 1.02 * (double)counts.wide);
     }
     close_made(&made);
-    free_things(&things);
+    free_objects(&objects);
 }
 
 /* So many large triangles that the programs' own lists of blocks of rows, and the lists, have to be
@@ -268,27 +268,27 @@ static void cells(void **state)
 static void many_large(void **state)
 {
     (void)state;
-    Things things = some_things(4000, .5), few = some_things(TRIANGLES, .5);
+    Objects objects = some_objects(4000, .5), few = some_objects(TRIANGLES, .5);
     Made made = open_made(32 * MOST);
     assert_true(make(&made, &scene, &few));
     const size_t first = made.cover.capacity, blocks = made.cover.blocks;
-    assert_true(make(&made, &scene, &things));
+    assert_true(make(&made, &scene, &objects));
     assert_true(made.cover.capacity > first && made.cover.blocks > blocks && !made.cover.coarsened);
     for (int i = 0; i < LIGHTS; i++)
         if (made.heads[i] >= 0)
-            assert_true(count_met(&things, &made, i, 50) > 100);
+            assert_true(count_met(&objects, &made, i, 50) > 100);
     const size_t capacity = made.cover.capacity;
     made.gl->DeleteBuffers(1, &made.cover.work); /* room for lists, and none for blocks */
     made.cover.work = 0;
     made.cover.blocks = 0;
-    assert_true(make(&made, &scene, &things));
-    assert_true(made.cover.capacity == capacity && count_met(&things, &made, 5, 50) > 100);
+    assert_true(make(&made, &scene, &objects));
+    assert_true(made.cover.capacity == capacity && count_met(&objects, &made, 5, 50) > 100);
     assert_true(make(&made, &scene, &few));
     assert_true(made.cover.capacity == capacity && made.cover.words <= first);
     assert_true(count_met(&few, &made, 0, POINTS) > 100);
     close_made(&made);
-    free_things(&things);
-    free_things(&few);
+    free_objects(&objects);
+    free_objects(&few);
 }
 
 /* With less room cells are wider, and the lists are as complete; with too little, it is said how
@@ -296,32 +296,32 @@ static void many_large(void **state)
 static void less_capacity(void **state)
 {
     (void)state;
-    Things things = some_things(TRIANGLES, .001);
+    Objects objects = some_objects(TRIANGLES, .001);
     Made made = open_made(MOST);
-    assert_true(make(&made, &scene, &things));
+    assert_true(make(&made, &scene, &objects));
     made.cover.most = made.cover.words / 2;
     exact_cover_empty(&made.cover);
-    assert_true(make(&made, &scene, &things));
+    assert_true(make(&made, &scene, &objects));
     assert_true(made.cover.coarsened > 0 && made.cover.words <= made.cover.most);
     for (int i = 0; i < LIGHTS; i++)
         if (made.heads[i] >= 0)
-            assert_true(count_met(&things, &made, i, POINTS) > 100);
+            assert_true(count_met(&objects, &made, i, POINTS) > 100);
     made.cover.most = TRIANGLES;
-    assert_false(make(&made, &scene, &things));
+    assert_false(make(&made, &scene, &objects));
     assert_non_null(strstr(made.gl->error, "bytes in a buffer, and there may be 1600"));
     close_made(&made);
-    free_things(&things);
+    free_objects(&objects);
 }
 
 static void of_nothing(void **state)
 {
     (void)state;
-    Things nothing = some_things(0, 1);
+    Objects nothing = some_objects(0, 1);
     Made made = open_made(MOST);
     assert_true(make(&made, &scene, &nothing));
     assert_int_equal(exact_cover_longest(&made.cover), 0);
     close_made(&made);
-    free_things(&nothing);
+    free_objects(&nothing);
 }
 
 int main(int count, char **arguments)

@@ -150,7 +150,7 @@ static Count compare(GlContext *gl, const char *text, const RendererOptions *wit
     "objects:\n- { object: Parallelogram, u: [8, 0, 0], v: [0, 8, 0], material: m, transform: { "  \
     "translation: [-4, "                                                                           \
     "-4, 0] } }\n"
-#define THINGS                                                                                     \
+#define OBJECTS                                                                                    \
     "- { object: Sphere, radius: .8, material: round, transform: { translation: [-.6, -.4, .9] } " \
     "}\n"                                                                                          \
     "- { object: Sphere, radius: .3, material: m, transform: { translation: [-.6, -.4, .9] } }\n"  \
@@ -256,7 +256,7 @@ static const Lamp uncascaded = {"one map", "Directional", false, true, "filter: 
 enum { LAMPS = sizeof lamps / sizeof *lamps };
 
 /* The light stands at an angle, 6 from the origin, and shines there. */
-static void write_scene(const Lamp *lamp, const double angle[2], const char *things, bool colored,
+static void write_scene(const Lamp *lamp, const double angle[2], const char *objects, bool colored,
                         char text[TEXT])
 {
     char place[128] = "", direction[128] = "";
@@ -273,10 +273,10 @@ static void write_scene(const Lamp *lamp, const double angle[2], const char *thi
         direction);
     for (int i = 0; i < GLASS_COUNT; i++)
         size += snprintf(text + size, (size_t)(TEXT - size), "  %s\n", glass_text(i));
-    snprintf(text + size, (size_t)(TEXT - size), "%s%s", lamp->far ? FAR_GROUND : GROUND, things);
+    snprintf(text + size, (size_t)(TEXT - size), "%s%s", lamp->far ? FAR_GROUND : GROUND, objects);
 }
 
-static Count by_angles(const Lamp *lamp, const char *things, bool colored,
+static Count by_angles(const Lamp *lamp, const char *objects, bool colored,
                        const RendererOptions *options)
 {
     GlContext *gl = frame_context();
@@ -287,7 +287,7 @@ static Count by_angles(const Lamp *lamp, const char *things, bool colored,
     }
     Count all = {0};
     for (int i = lamp->first; i < SHADOW_ANGLES; i += lamp->step) {
-        write_scene(lamp, shadow_angles[i], things, colored, text);
+        write_scene(lamp, shadow_angles[i], objects, colored, text);
         const Count count = compare(gl, text, options);
         print_message(
             "%-12s %4g degrees: %5d compared, %5d shaded, %5d in bands; wrong %d, off by %.2g\n",
@@ -300,10 +300,10 @@ static Count by_angles(const Lamp *lamp, const char *things, bool colored,
     return all;
 }
 
-static void by_every_angle(const Lamp *lamp, const char *things, bool colored,
+static void by_every_angle(const Lamp *lamp, const char *objects, bool colored,
                            const RendererOptions *options)
 {
-    assert_int_equal(by_angles(lamp, things, colored, options).wrong, 0);
+    assert_int_equal(by_angles(lamp, objects, colored, options).wrong, 0);
 }
 
 /* More than half transparent, in the mean of all channels, casts none; all else does. */
@@ -311,7 +311,7 @@ static void cut_outs(void **state)
 {
     (void)state;
     for (int i = 0; i < LAMPS; i++)
-        by_every_angle(&lamps[i], THINGS, false, &(RendererOptions){0});
+        by_every_angle(&lamps[i], OBJECTS, false, &(RendererOptions){0});
 }
 
 /* All light is multiplied by what is between, and by nothing that is behind. */
@@ -320,7 +320,7 @@ static void colors(void **state)
     (void)state;
     for (int i = 0; i < LAMPS; i++)
         if (!lamps[i].old)
-            by_every_angle(&lamps[i], THINGS PANES, true, &(RendererOptions){.fragment = i == 1});
+            by_every_angle(&lamps[i], OBJECTS PANES, true, &(RendererOptions){.fragment = i == 1});
 }
 
 /* Casters that volumes have no room for are looked up in maps, on opaque surfaces and on
@@ -329,7 +329,7 @@ static void colors_beside_volumes(void **state)
 {
     (void)state;
     for (int i = 0; i < 3; i++)
-        by_every_angle(&hybrids[i], THINGS PANES, true, &(RendererOptions){0});
+        by_every_angle(&hybrids[i], OBJECTS PANES, true, &(RendererOptions){0});
 }
 
 /* Where there are no lists, volumes have no cut-outs, and the statistics say so. */
@@ -345,7 +345,7 @@ static void cut_outs_beside_volumes(void **state)
         const MatcOptions options = frame_exact_options();
         gl->major = old ? 3 : gl->major;
         gl->minor = old ? 3 : gl->minor;
-        write_scene(&hybrids[0], shadow_angles[3], THINGS, old, text);
+        write_scene(&hybrids[0], shadow_angles[3], OBJECTS, old, text);
         Scene *scene = frame_scene(text, &options, &document);
         char *reported = frame_graph_or_fault(gl, scene, &(RendererOptions){.compile = &options});
         assert_non_null(strstr(reported, words[old]));
@@ -364,7 +364,7 @@ static void colors_in_parts(void **state)
         {"directional", "Directional", false, true, "size: 512, filter: 0", 2, 4, false, false},
         {"point", "Point", true, false, "size: 1024, filter: 1", 1, 3, false, false}};
     for (int i = 0; i < 2; i++)
-        by_every_angle(&divided[i], THINGS PANES, true,
+        by_every_angle(&divided[i], OBJECTS PANES, true,
                        &(RendererOptions){.list_bytes = i ? 5000000 : 700000,
                                           .transparency = i ? "peeling" : "lists"});
 }
@@ -386,7 +386,7 @@ static void sheets(void **state)
         Lamp lamp = lamps[cases[i].lamp];
         lamp.first = cases[i].angle;
         lamp.step = SHADOW_ANGLES;
-        by_every_angle(&lamp, THINGS SHEETS, cases[i].colored, &cases[i].options);
+        by_every_angle(&lamp, OBJECTS SHEETS, cases[i].colored, &cases[i].options);
     }
 }
 
@@ -394,8 +394,8 @@ static void sheets(void **state)
 static void cascades(void **state)
 {
     (void)state;
-    by_every_angle(&cascaded, THINGS, true, &(RendererOptions){0});
-    assert_true(by_angles(&uncascaded, THINGS, true, &(RendererOptions){0}).wrong > 0);
+    by_every_angle(&cascaded, OBJECTS, true, &(RendererOptions){0});
+    assert_true(by_angles(&uncascaded, OBJECTS, true, &(RendererOptions){0}).wrong > 0);
 }
 
 /* Casters of constant transmittance are as exact as opaque ones: up to 0.01 from ends of shadows,
@@ -406,7 +406,7 @@ static void exact_colors(void **state)
     for (int i = 0; i < 4; i++)
         by_every_angle(&exact[i % 2], PANES, i < 2,
                        &(RendererOptions){.transparency = i % 2 ? "peeling" : "lists"});
-    by_every_angle(&exact_and_maps, THINGS PANES, true, &(RendererOptions){0});
+    by_every_angle(&exact_and_maps, OBJECTS PANES, true, &(RendererOptions){0});
 }
 
 int main(void)

@@ -120,7 +120,7 @@ static void on_a_mesh(void **state)
     (void)state;
     const Count count =
         by_every_lamp("things on a mesh",
-                      (const char *[2]){SHADOW_SCENE_GROUND, SHADOW_SCENE_THINGS("detail: 48, ")});
+                      (const char *[2]){SHADOW_SCENE_GROUND, SHADOW_SCENE_OBJECTS("detail: 48, ")});
     assert_exact(&count);
 }
 
@@ -129,7 +129,7 @@ static void on_a_plane(void **state)
     (void)state;
     const Count count =
         by_every_lamp("things on a plane",
-                      (const char *[2]){SHADOW_SCENE_PLANE, SHADOW_SCENE_THINGS("detail: 48, ")});
+                      (const char *[2]){SHADOW_SCENE_PLANE, SHADOW_SCENE_OBJECTS("detail: 48, ")});
     assert_exact(&count);
 }
 
@@ -179,7 +179,7 @@ static void no_instances(void **state)
     MatcDocument *document;
     GlContext *gl = frame_context_of(kind);
     Scene *scene = scene_of(
-        &options, 3, (const char *[2]){SHADOW_SCENE_GROUND, SHADOW_SCENE_THINGS("detail: 48, ")},
+        &options, 3, (const char *[2]){SHADOW_SCENE_GROUND, SHADOW_SCENE_OBJECTS("detail: 48, ")},
         &document);
     int others = 0, dark = 0;
     float *newest = frame_floats(gl, scene, &how);

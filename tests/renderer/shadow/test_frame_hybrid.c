@@ -27,7 +27,7 @@ enum { WIDTH = 120, HEIGHT = 90, PIXELS = WIDTH * HEIGHT, SIZE = 256 };
 #define VIEW  SEEN_BY("Perspective, position: [1.5, -7, 4], target: [0, 0, .5], angle: 42")
 /* Closed, as what casts hybrid shadows is; one is mirrored, one above the light of a lamp at the
  * origin's height. */
-#define THINGS                                                                                     \
+#define OBJECTS                                                                                    \
     "objects:\n- { object: Plane, material: m }\n"                                                 \
     "- { object: Sphere, radius: .8, material: m, transform: { translation: [-.6, -.4, 1.2] } }\n" \
     "- { object: Box, material: m, transform: { translation: [1, .5, .5], rotation: [0, 0, .3], "  \
@@ -100,10 +100,10 @@ static Count compare(GlContext *gl, const Case *c)
     MatcDocument *document;
     char text[4096];
     Count count = {0};
-    snprintf(
-        text, sizeof text,
-        "%sshadowMaps: { size: %d, volume: %s }\nlights: [{ light: %s, shadows: hybrid }]\n" THINGS,
-        c->view, SIZE, c->volume, c->light);
+    snprintf(text, sizeof text,
+             "%sshadowMaps: { size: %d, volume: %s }\nlights: [{ light: %s, shadows: hybrid "
+             "}]\n" OBJECTS,
+             c->view, SIZE, c->volume, c->light);
     Scene *scene = frame_scene(text, &options, &document);
     float *shares = shares_of(gl, scene, &options);
     Tracer tracer = reference_open(scene);
@@ -309,7 +309,8 @@ static void changes(void **state)
         char text[4096];
         MatcDocument *document;
         snprintf(text, sizeof text,
-                 VIEW "shadowMaps: { size: 64 }\nlights: [{ light: %s, shadows: hybrid }]\n" THINGS,
+                 VIEW
+                 "shadowMaps: { size: 64 }\nlights: [{ light: %s, shadows: hybrid }]\n" OBJECTS,
                  lights[k]);
         Scene *scene = frame_scene(text, &options, &document);
         Renderer *renderer = renderer_open(gl, &how);
@@ -342,7 +343,7 @@ static void draw_path(GlContext *gl, const char *volume, const char *path, float
                   "- { light: Point, position: [-3, -2, 3], shadows: map }\n"
                   "- { light: Spot, position: [-2, -4, 5], direction: [2, 4, -5], intensity: 40, "
                   "shadows: hybrid }\n"
-                  "- { light: Point, position: [0, .6, 1.1], shadows: hybrid }\n" THINGS,
+                  "- { light: Point, position: [0, .6, 1.1], shadows: hybrid }\n" OBJECTS,
              volume, path);
     Scene *scene = frame_scene(text, &options, &document);
     Renderer *renderer = renderer_open(gl, &how);
@@ -397,7 +398,7 @@ static void many_lights(void **state)
                              "- { light: Directional, direction: [%d, .2, -.6], intensity: %d, "
                              "shadows: hybrid }\n",
                              i < count - 1 ? -1 : 1, i == count - 1);
-        snprintf(text + size, sizeof text - (size_t)size, THINGS);
+        snprintf(text + size, sizeof text - (size_t)size, OBJECTS);
         Scene *scene = frame_scene(text, &options, &document);
         if (count == 9) {
             float *nine =

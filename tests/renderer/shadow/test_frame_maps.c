@@ -46,7 +46,7 @@ static void lights_have_their_maps(void **state)
 
 /* A lid below a lamp shadows the floor if the floor's farthest corner is about a thousand times as
  * far away as the lid. A lid at a tenth of that distance is nearer than the maps' near plane. */
-static void near_things_cast_shadows(void **state)
+static void near_objects_cast_shadows(void **state)
 {
     (void)state;
     const MatcOptions options = frame_exact_options();
@@ -102,7 +102,7 @@ static void leaves_do_not_shade_themselves(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(lights_have_their_maps),
-                                       cmocka_unit_test(near_things_cast_shadows),
+                                       cmocka_unit_test(near_objects_cast_shadows),
                                        cmocka_unit_test(leaves_do_not_shade_themselves)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

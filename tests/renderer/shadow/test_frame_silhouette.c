@@ -139,9 +139,9 @@ static void away_from_ends(void **state)
     ShadowPair pair;
     shadow_pair_open(GL_KIND_osmesa, &pair);
     by_every_lamp(&pair, "on a mesh",
-                  (const char *[2]){SHADOW_SCENE_GROUND, SHADOW_SCENE_THINGS("")}, 0);
+                  (const char *[2]){SHADOW_SCENE_GROUND, SHADOW_SCENE_OBJECTS("")}, 0);
     by_every_lamp(&pair, "on a plane",
-                  (const char *[2]){SHADOW_SCENE_PLANE, SHADOW_SCENE_THINGS("") SUNK}, 0);
+                  (const char *[2]){SHADOW_SCENE_PLANE, SHADOW_SCENE_OBJECTS("") SUNK}, 0);
     by_every_lamp(&pair, "nasty", (const char *[2]){SHADOW_SCENE_GROUND, NASTY},
                   all_of_them ? 2 : 0);
     shadow_pair_close(&pair);

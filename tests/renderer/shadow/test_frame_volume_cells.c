@@ -147,7 +147,7 @@ static void the_slope_goes_on_behind_a_cut(void **state)
     "angle: 42 }\nmaterials: { m: { material: Phong, diffuse: .5 }, g: { material: Phong, "        \
     "diffuse: .5, transparency: "                                                                  \
     "%s, interpolatedTransparency: false } }\n"
-#define THINGS                                                                                     \
+#define OBJECTS                                                                                    \
     "- { object: Sphere, radius: .7, material: m, transform: { translation: [-.6, -.4, 1.2] } }\n" \
     "- { object: Box, material: m, transform: { translation: [1, .5, .9], rotation: [0, 0, .3] } " \
     "}\n"
@@ -172,7 +172,7 @@ static void glass_is_lit_as_floors_are(void **state)
                           "shadows: hybrid }]\n"
                           "objects:\n- { object: Parallelogram, u: [5, 0, 0], v: [0, 5, 0], "
                           "material: g, transform: { "
-                          "translation: [-2.5, -2.5, 0] } }\n" THINGS,
+                          "translation: [-2.5, -2.5, 0] } }\n" OBJECTS,
                      glass ? ".5" : "0", lights[k]);
             Scene *scene = frame_scene(text, &pair.options, &document);
             shares[glass] = shadow_pair_shares(&pair, scene);
@@ -200,7 +200,7 @@ static void glass_is_lit_as_floors_are(void **state)
     "hybrid },\n  { light: Point, position: [0, .6, 2.5], shadows: hybrid },\n"                    \
     "  { light: Spot, position: [-2, -4, 5], direction: [2, 4, -5], intensity: 40, shadows: "      \
     "silhouette }]\n"                                                                              \
-    "objects:\n- { object: Plane, material: m }\n" THINGS
+    "objects:\n- { object: Plane, material: m }\n" OBJECTS
 
 /* A light is moved, and has a method; an object is. */
 typedef struct {
@@ -260,7 +260,7 @@ static void other_paths_are_refused(void **state)
         snprintf(text, sizeof text,
                  SEEN "shadowMaps: { size: 64, volume: silhouette, path: %s }\nlights: [{ light: "
                       "Directional, shadows: "
-                      "hybrid }]\nobjects:\n" THINGS,
+                      "hybrid }]\nobjects:\n" OBJECTS,
                  "0", k ? "copy" : "fetch");
         Scene *scene = frame_scene(text, &options, &document);
         Renderer *renderer = renderer_open(gl, &(RendererOptions){.compile = &options});

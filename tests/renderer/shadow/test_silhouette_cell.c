@@ -83,7 +83,7 @@ static void cells(void **state)
     Framebuffer target;
     const ScreenPassText text = {.body = {render_text_silhouette, body}, .format = "RGBA32F"};
     float *pixels = malloc(4 * sizeof *pixels * CELLS * CELLS);
-    int covered = 0, parted = 0;
+    int covered = 0, divided = 0;
     assert_true(pixels && store && screen_make(gl, &screen) &&
                 screen_pass_make(store, &text, &pass));
     assert_true(
@@ -96,9 +96,9 @@ static void cells(void **state)
             continue; /* nothing is parted */
         assert_int_equal(pixels[4 * i] > .5f, is_covered(&cell));
         covered += is_covered(&cell);
-        parted++;
+        divided++;
     }
-    assert_true(covered > parted / 4 && covered < parted * 3 / 4);
+    assert_true(covered > divided / 4 && covered < divided * 3 / 4);
     free(pixels);
     framebuffer_delete(gl, &target);
     screen_pass_delete(&pass);
