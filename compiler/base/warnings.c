@@ -46,6 +46,13 @@ static bool has_name(const Setting *setting, const char *name)
     return true;
 }
 
+/* True: the setting names the warning, by its present name or by that of version 0.1. */
+static bool names_warning(const Setting *setting, DiagKind kind)
+{
+    return has_name(setting, diag_table[kind].name) ||
+           (kind == DIAG_dropped && has_name(setting, "parted"));
+}
+
 Severity warnings_severity(const char *settings, DiagKind kind)
 {
     const DiagRow *row = &diag_table[kind];
@@ -56,7 +63,7 @@ Severity warnings_severity(const char *settings, DiagKind kind)
     for (size_t size; settings && *settings; settings += size + (settings[size] == ',')) {
         size = strcspn(settings, ",");
         const Setting setting = read_setting(settings, size);
-        if (setting.name && !has_name(&setting, row->name))
+        if (setting.name && !names_warning(&setting, kind))
             continue;
         if (setting.error)
             error = !setting.no;
@@ -80,8 +87,8 @@ const char *warnings_name(const void *user, int i)
 
 static bool is_known(const Setting *setting)
 {
-    for (int i = 0; setting->name && warnings_name(NULL, i); i++)
-        if (has_name(setting, warnings_name(NULL, i)))
+    for (int kind = 0; setting->name && kind < DIAG_COUNT; kind++)
+        if (diag_is_named((DiagKind)kind) && names_warning(setting, (DiagKind)kind))
             return true;
     return !setting->name;
 }

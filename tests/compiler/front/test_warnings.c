@@ -1,6 +1,7 @@
 /* MatcOptions.warnings: which warnings of documents and programs are reported, and which as
  * errors. */
 #include "tests/test.h"
+#include "compiler/base/warnings.h"
 #include "compiler/matc.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -292,6 +293,17 @@ static void a_page_lists_them(void **state)
     free(page);
 }
 
+/* A build that names a warning as version 0.1 did sets the warning of today. */
+static void the_old_name_is_an_alias(void **state)
+{
+    (void)state;
+    size_t size;
+    assert_null(warnings_fault("no-parted,error=dropped", &size));
+    assert_int_equal(warnings_severity("no-parted", DIAG_dropped), SEVERITY_none);
+    assert_int_equal(warnings_severity("error=parted", DIAG_dropped), SEVERITY_error);
+    assert_int_equal(warnings_severity("no-parted", DIAG_unstored), SEVERITY_warning);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(settings_count),
@@ -302,6 +314,7 @@ int main(void)
                                        cmocka_unit_test(advice_is_by_file),
                                        cmocka_unit_test(advice_goes_before_later_warnings),
                                        cmocka_unit_test(each_file_is_advised),
+                                       cmocka_unit_test(the_old_name_is_an_alias),
                                        cmocka_unit_test(a_page_lists_them)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
