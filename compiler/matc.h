@@ -21,7 +21,7 @@
  * or false unless documented otherwise. Functions that create a handle never return NULL: a NULL
  * text or document becomes an error in the diagnostics of the new handle. Diagnostics of a NULL
  * handle are "". NULL options mean the defaults. A NULL name matches nothing. NULL is allowed
- * for result pointers (`size`, `fault`, `before`) that are not needed. Two things cannot be
+ * for result pointers (`size`, `fault`, `before`) that are not needed. Two conditions cannot be
  * checked: that a pointer refers to enough memory, and that a handle has not been freed.
  *
  * Binary compatibility: a program runs with any later libmatc.so of the same number. Functions

@@ -1,6 +1,6 @@
 // needs: texel texelsRise
-// Finite difference of imageBilinear(s, uv, size)[component] over one texel along u and v, per unit of
-// uv. Reads eight texels instead of twelve. Error 6e-7 * size.
+// Finite difference of imageBilinear(s, uv, size)[component] over one texel along u and v, per
+// unit of uv. Reads eight texels instead of twelve. Error 6e-7 * size.
 vec3 imageRiseRow(sampler2D s, vec3 x, float y, vec2 size, int component) {
     return vec3(texel(s, vec2(x.x, y), size)[component], texel(s, vec2(x.y, y), size)[component],
         texel(s, vec2(x.z, y), size)[component]);
@@ -16,6 +16,7 @@ vec2 imageRise(sampler2D s, vec2 uv, vec2 size, int component) {
     vec2 last = next + 1.0;
     last -= size * step(size, last);
     vec3 x = vec3(low.x, next.x, last.x);
-    return texelsRise(imageRiseRow(s, x, low.y, size, component), imageRiseRow(s, x, next.y, size, component),
+    return texelsRise(imageRiseRow(s, x, low.y, size, component),
+        imageRiseRow(s, x, next.y, size, component),
                       imageRiseRow(s, x, last.y, size, component), weight) * size;
 }

@@ -7,7 +7,8 @@ vec3 imageRiseBeyondRow(sampler2D s, vec3 x, float y, vec2 size, int component, 
                 texelBeyond(s, vec2(x.z, y), size, address)[component]);
 }
 
-vec2 imageRiseBeyond(sampler2D s, vec2 uv, vec2 size, int component, int address, vec2 right, vec2 up) {
+vec2 imageRiseBeyond(sampler2D s, vec2 uv, vec2 size, int component, int address, vec2 right,
+    vec2 up) {
     vec2 across = right * size, along = up * size;
     vec2 turn = address == 1 ? fract(uv * 0.5) * 2.0 : uv; // as imageRiseOver's, two at a time
     if (max(dot(across, across), dot(along, along)) > 1.0)
@@ -17,5 +18,6 @@ vec2 imageRiseBeyond(sampler2D s, vec2 uv, vec2 size, int component, int address
     vec3 x = low.x + vec3(0.0, 1.0, 2.0);
     return texelsRise(imageRiseBeyondRow(s, x, low.y, size, component, address),
         imageRiseBeyondRow(s, x, low.y + 1.0, size, component, address),
-                      imageRiseBeyondRow(s, x, low.y + 2.0, size, component, address), at - low) * size;
+                      imageRiseBeyondRow(s, x, low.y + 2.0, size, component, address), at - low) *
+                          size;
 }

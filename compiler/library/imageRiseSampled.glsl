@@ -1,6 +1,6 @@
 // needs:
-// Finite difference of the filtered texture's component `component` over one texel along u and v, per
-// unit of uv.
+// Finite difference of one component of the filtered texture over one texel along u and v, per unit
+// of uv.
 vec2 imageRiseSampled(sampler2D s, vec2 uv, vec2 size, int component, vec2 right, vec2 up) {
     vec2 at = uv + 0.5 / size;
     float here = textureGrad(s, at, right, up)[component];

@@ -27,7 +27,7 @@ typedef enum {
 typedef struct {
     int width, height;
     int components; /* 1 or 4 */
-    /* `lanes` components per texel; value = byte / 255; NULL if floats are set */
+    /* `components` bytes per texel; value = byte / 255; NULL if floats are set */
     const uint8_t *bytes;
     const float *floats;
     const uint16_t *words; /* value = word / 65535; NULL if bytes or floats are set */

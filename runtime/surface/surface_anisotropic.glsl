@@ -204,8 +204,8 @@ float maskedAlong(Anisotropy m, vec3 v, float cosine)
     return sqrt(cosine * cosine + dot(wide, wide));
 }
 
-// Evaluates the microfacet lobe like facets(): the light's direction l, the half vector, and the
-// light's cosine; `eye`: the eye's cosine and its maskedAlong().
+// Evaluates the microfacet lobe like microfacets(): the light's direction l, the half vector, and
+// the light's cosine; `eye`: the eye's cosine and its maskedAlong().
 float microfacetsAlong(Anisotropy m, vec3 normal, vec3 l, vec3 h, float cosine, vec2 eye)
 {
     vec2 across = vec2(dot(h, m.along), dot(h, m.across)) / m.widths;

@@ -51,7 +51,7 @@ GLuint indirect_kept(const Renderer *renderer);
 /* Rejects all accumulated samples. If frames accumulate, keeps those that reproject onto the
  * same surface. */
 void indirect_forget(Renderer *renderer);
-/* Lowers the weight of accumulated samples, more so near moved objects; `doubts` is a set of
+/* Lowers the weight of accumulated samples, more so near moved objects; `dirty` is a set of
  * IndirectDirty. */
 void indirect_invalidate(Renderer *renderer, unsigned dirty);
 /* Frees the resources of FrameIndirect. */

@@ -119,7 +119,7 @@ static void on_a_mesh(void **state)
 {
     (void)state;
     const Count count =
-        by_every_lamp("things on a mesh",
+        by_every_lamp("objects on a mesh",
                       (const char *[2]){SHADOW_SCENE_GROUND, SHADOW_SCENE_OBJECTS("detail: 48, ")});
     assert_exact(&count);
 }
@@ -128,7 +128,7 @@ static void on_a_plane(void **state)
 {
     (void)state;
     const Count count =
-        by_every_lamp("things on a plane",
+        by_every_lamp("objects on a plane",
                       (const char *[2]){SHADOW_SCENE_PLANE, SHADOW_SCENE_OBJECTS("detail: 48, ")});
     assert_exact(&count);
 }
@@ -137,7 +137,7 @@ static void nasty(void **state)
 {
     (void)state;
     const Count count =
-        by_every_lamp("nasty things", (const char *[2]){SHADOW_SCENE_GROUND, NASTY});
+        by_every_lamp("degenerate objects", (const char *[2]){SHADOW_SCENE_GROUND, NASTY});
     assert_exact(&count);
 }
 
