@@ -43,7 +43,8 @@ vec3 jenkinsPlaces(vec3 cell, int dimensions) {
     h.x += h.z;
     h.z = (h.z - h.y) ^ jenkinsTurned(h.y, 4);
     h.y += h.x;
-    return vec3(jenkinsEnd(h), jenkinsEnd(h + uvec3(1u, 0u, 0u)), jenkinsEnd(h + uvec3(2u, 0u, 0u)));
+    return vec3(jenkinsEnd(h), jenkinsEnd(h + uvec3(1u, 0u, 0u)),
+        jenkinsEnd(h + uvec3(2u, 0u, 0u)));
 }
 
 // Random number in [0, 1] per unit cube (or unit square), as MaterialX's cellnoise3d and

@@ -28,7 +28,8 @@ float carpenterRelief(sampler2D s, vec2 uv, vec2 size) {
     vec2 high = low + 1.0;
     high -= size * step(size, high);
     return mix(mix(texel(s, low, size).r, texel(s, vec2(high.x, low.y), size).r, weight.x),
-               mix(texel(s, vec2(low.x, high.y), size).r, texel(s, high, size).r, weight.x), weight.y);
+               mix(texel(s, vec2(low.x, high.y), size).r, texel(s, high, size).r, weight.x),
+                   weight.y);
 }
 
 // v / |v| for every finite v; (0, 0, 1) if all components are below 1e-37. v is divided by its

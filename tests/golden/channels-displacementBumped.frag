@@ -97,7 +97,8 @@ vec4 latticeRise(uvec4 low, uvec4 high, vec3 d) {
     vec2 depth = mix((t1 - t0).xy, (t1 - t0).zw, s.y);
     return vec4(latticeMix(x0, x1, d) + rise.x * (line.y - line.x),
                 latticeMix(y0, y1, d) + rise.y * (across.y - across.x),
-                latticeMix(z0, z1, d) + rise.z * mix(depth.x, depth.y, s.x), mix(line.x, line.y, s.x));
+                latticeMix(z0, z1, d) + rise.z * mix(depth.x, depth.y, s.x),
+                    mix(line.x, line.y, s.x));
 }
 
 // Scales a signed 32-bit hash to [-1, 1].

@@ -19,45 +19,52 @@ vec4 texel(sampler2D s, vec2 i, vec2 size) {
 // image; 2 clamp to edge; 3 border of 0.
 vec4 texelBeyond(sampler2D s, vec2 i, vec2 size, int address) {
     vec2 turn = i - 2.0 * size * step(2.0 * size, i);
-    vec2 place = clamp(address == 1 ? min(turn, 2.0 * size - 1.0 - turn) : i, vec2(0.0), size - 1.0);
+    vec2 place = clamp(address == 1 ? min(turn, 2.0 * size - 1.0 - turn) : i, vec2(0.0),
+        size - 1.0);
     return address == 3 && place != i ? vec4(0.0) : texel(s, place, size);
 }
 
 // Differences along u and v of bilinear interpolation, from three rows of three texels, bottom row
 // first; top.z is unused. Differences are taken before mixing, which avoids cancellation.
 vec2 texelsRise(vec3 row, vec3 above, vec3 top, vec2 weight) {
-    vec2 low = mix(vec2(row.y - row.x, above.x - row.x), vec2(row.z - row.y, top.x - above.x), weight);
-    vec2 high = mix(vec2(above.y - above.x, above.y - row.y), vec2(above.z - above.y, top.y - above.y), weight);
+    vec2 low = mix(vec2(row.y - row.x, above.x - row.x), vec2(row.z - row.y, top.x - above.x),
+        weight);
+    vec2 high = mix(vec2(above.y - above.x, above.y - row.y),
+        vec2(above.z - above.y, top.y - above.y), weight);
     return mix(low, high, weight.yx);
 }
 
-// Finite difference of the filtered texture's component `lane` over one texel along u and v, per
-// unit of uv.
-vec2 imageRiseSampled(sampler2D s, vec2 uv, vec2 size, int lane, vec2 right, vec2 up) {
+// Finite difference of one component of the filtered texture over one texel along u and v, per unit
+// of uv.
+vec2 imageRiseSampled(sampler2D s, vec2 uv, vec2 size, int component, vec2 right, vec2 up) {
     vec2 at = uv + 0.5 / size;
-    float here = textureGrad(s, at, right, up)[lane];
-    float beyondU = textureGrad(s, at + vec2(1.0 / size.x, 0.0), right, up)[lane];
-    float beyondV = textureGrad(s, at + vec2(0.0, 1.0 / size.y), right, up)[lane];
+    float here = textureGrad(s, at, right, up)[component];
+    float beyondU = textureGrad(s, at + vec2(1.0 / size.x, 0.0), right, up)[component];
+    float beyondV = textureGrad(s, at + vec2(0.0, 1.0 / size.y), right, up)[component];
     return (vec2(beyondU, beyondV) - here) * size;
 }
 
 // imageRiseOver for a sampler that mirrors (address 1), clamps (2), or has a zero border (3). Error
 // 6e-7 size.
-vec3 imageRiseBeyondRow(sampler2D s, vec3 x, float y, vec2 size, int lane, int address) {
-    return vec3(texelBeyond(s, vec2(x.x, y), size, address)[lane], texelBeyond(s, vec2(x.y, y), size, address)[lane],
-                texelBeyond(s, vec2(x.z, y), size, address)[lane]);
+vec3 imageRiseBeyondRow(sampler2D s, vec3 x, float y, vec2 size, int component, int address) {
+    return vec3(texelBeyond(s, vec2(x.x, y), size, address)[component],
+        texelBeyond(s, vec2(x.y, y), size, address)[component],
+                texelBeyond(s, vec2(x.z, y), size, address)[component]);
 }
 
-vec2 imageRiseBeyond(sampler2D s, vec2 uv, vec2 size, int lane, int address, vec2 right, vec2 up) {
+vec2 imageRiseBeyond(sampler2D s, vec2 uv, vec2 size, int component, int address, vec2 right,
+    vec2 up) {
     vec2 across = right * size, along = up * size;
     vec2 turn = address == 1 ? fract(uv * 0.5) * 2.0 : uv; // as imageRiseOver's, two at a time
     if (max(dot(across, across), dot(along, along)) > 1.0)
-        return imageRiseSampled(s, turn, size, lane, right, up);
+        return imageRiseSampled(s, turn, size, component, right, up);
     vec2 at = turn * size;
     vec2 low = floor(at);
     vec3 x = low.x + vec3(0.0, 1.0, 2.0);
-    return texelsRise(imageRiseBeyondRow(s, x, low.y, size, lane, address), imageRiseBeyondRow(s, x, low.y + 1.0, size, lane, address),
-                      imageRiseBeyondRow(s, x, low.y + 2.0, size, lane, address), at - low) * size;
+    return texelsRise(imageRiseBeyondRow(s, x, low.y, size, component, address),
+        imageRiseBeyondRow(s, x, low.y + 1.0, size, component, address),
+                      imageRiseBeyondRow(s, x, low.y + 2.0, size, component, address), at - low) *
+                          size;
 }
 
 // Width and height of an image in texels.

@@ -71,18 +71,21 @@ vec4 imageSampled(sampler2D s, vec2 uv, vec2 size) {
 // Differences along u and v of bilinear interpolation, from three rows of three texels, bottom row
 // first; top.z is unused. Differences are taken before mixing, which avoids cancellation.
 vec2 texelsRise(vec3 row, vec3 above, vec3 top, vec2 weight) {
-    vec2 low = mix(vec2(row.y - row.x, above.x - row.x), vec2(row.z - row.y, top.x - above.x), weight);
-    vec2 high = mix(vec2(above.y - above.x, above.y - row.y), vec2(above.z - above.y, top.y - above.y), weight);
+    vec2 low = mix(vec2(row.y - row.x, above.x - row.x), vec2(row.z - row.y, top.x - above.x),
+        weight);
+    vec2 high = mix(vec2(above.y - above.x, above.y - row.y),
+        vec2(above.z - above.y, top.y - above.y), weight);
     return mix(low, high, weight.yx);
 }
 
-// Finite difference of imageBilinear(s, uv, size)[lane] over one texel along u and v, per unit of
-// uv. Reads eight texels instead of twelve. Error 6e-7 * size.
-vec3 imageRiseRow(sampler2D s, vec3 x, float y, vec2 size, int lane) {
-    return vec3(texel(s, vec2(x.x, y), size)[lane], texel(s, vec2(x.y, y), size)[lane], texel(s, vec2(x.z, y), size)[lane]);
+// Finite difference of imageBilinear(s, uv, size)[component] over one texel along u and v, per
+// unit of uv. Reads eight texels instead of twelve. Error 6e-7 * size.
+vec3 imageRiseRow(sampler2D s, vec3 x, float y, vec2 size, int component) {
+    return vec3(texel(s, vec2(x.x, y), size)[component], texel(s, vec2(x.y, y), size)[component],
+        texel(s, vec2(x.z, y), size)[component]);
 }
 
-vec2 imageRise(sampler2D s, vec2 uv, vec2 size, int lane) {
+vec2 imageRise(sampler2D s, vec2 uv, vec2 size, int component) {
     vec2 at = fract(uv) * size;
     vec2 low = floor(at);
     vec2 weight = at - low;
@@ -92,29 +95,31 @@ vec2 imageRise(sampler2D s, vec2 uv, vec2 size, int lane) {
     vec2 last = next + 1.0;
     last -= size * step(size, last);
     vec3 x = vec3(low.x, next.x, last.x);
-    return texelsRise(imageRiseRow(s, x, low.y, size, lane), imageRiseRow(s, x, next.y, size, lane),
-                      imageRiseRow(s, x, last.y, size, lane), weight) * size;
+    return texelsRise(imageRiseRow(s, x, low.y, size, component),
+        imageRiseRow(s, x, next.y, size, component),
+                      imageRiseRow(s, x, last.y, size, component), weight) * size;
 }
 
-// Finite difference of the filtered texture's component `lane` over one texel along u and v, per
-// unit of uv.
-vec2 imageRiseSampled(sampler2D s, vec2 uv, vec2 size, int lane, vec2 right, vec2 up) {
+// Finite difference of one component of the filtered texture over one texel along u and v, per unit
+// of uv.
+vec2 imageRiseSampled(sampler2D s, vec2 uv, vec2 size, int component, vec2 right, vec2 up) {
     vec2 at = uv + 0.5 / size;
-    float here = textureGrad(s, at, right, up)[lane];
-    float beyondU = textureGrad(s, at + vec2(1.0 / size.x, 0.0), right, up)[lane];
-    float beyondV = textureGrad(s, at + vec2(0.0, 1.0 / size.y), right, up)[lane];
+    float here = textureGrad(s, at, right, up)[component];
+    float beyondU = textureGrad(s, at + vec2(1.0 / size.x, 0.0), right, up)[component];
+    float beyondV = textureGrad(s, at + vec2(0.0, 1.0 / size.y), right, up)[component];
     return (vec2(beyondU, beyondV) - here) * size;
 }
 
 // imageRise under magnification, because the sampler's 8-bit weights are too coarse for a
 // difference times the size; else the given difference `shown`. Outside 65536 texels a float cannot
 // step 1/256 texel: whole periods are dropped, and the explicit footprint avoids a seam.
-vec2 imageRiseNear(sampler2D s, vec2 uv, vec2 size, int lane, vec2 right, vec2 up, vec2 shown) {
+vec2 imageRiseNear(sampler2D s, vec2 uv, vec2 size, int component, vec2 right, vec2 up,
+    vec2 shown) {
     vec2 across = right * size, along = up * size, far = abs(uv) * size;
     if (max(dot(across, across), dot(along, along)) <= 1.0)
-        return imageRise(s, uv, size, lane);
+        return imageRise(s, uv, size, component);
     if (max(far.x, far.y) > 65536.0)
-        return imageRiseSampled(s, fract(uv), size, lane, right, up);
+        return imageRiseSampled(s, fract(uv), size, component, right, up);
     return shown;
 }
 

@@ -59,7 +59,8 @@ vec4 latticeTerms(uvec4 hash, vec3 d) {
 float lattice(vec3 cell, vec3 d) {
     uvec4 low, high;
     latticeCorners(cell, low, high);
-    return latticeMix(latticeTerms(low, d), latticeTerms(high, d - vec3(0.0, 0.0, 1.0)), d) * latticeScale;
+    return latticeMix(latticeTerms(low, d), latticeTerms(high, d - vec3(0.0, 0.0, 1.0)), d) *
+        latticeScale;
 }
 
 // Noise in [-1, 1], standard deviation 1/2. About 1 sample in 20 is clamped. Error 2e-6, also for
@@ -109,7 +110,8 @@ vec3 perlinDirection(vec3 corner, int dimensions) {
     float s = 1.0 - 2.0 * (h - 2.0 * pairs);
     float t = 1.0 - 2.0 * (pairs - 2.0 * floor(pairs * 0.5));
     if (dimensions < 3)
-        return 0.6616 * (h - 8.0 * floor(h * 0.125) < 4.0 ? vec3(s, 2.0 * t, 0.0) : vec3(2.0 * t, s, 0.0));
+        return 0.6616 * (h - 8.0 * floor(h * 0.125) < 4.0 ? vec3(s, 2.0 * t, 0.0)
+            : vec3(2.0 * t, s, 0.0));
     if (h < 8.0)
         return 0.982 * (h < 4.0 ? vec3(s, t, 0.0) : vec3(s, 0.0, t));
     return 0.982 * (h == 12.0 || h == 14.0 ? vec3(t, s, 0.0) : vec3(0.0, s, t));
@@ -128,7 +130,8 @@ float perlinOctave(vec3 p, int dimensions) {
         if (i > 3 && dimensions < 3) break;
         vec3 corner = vec3(i == 1 || i == 3 || i == 5 || i == 7, i == 2 || i == 3 || i > 5, i > 3);
         vec3 share = mix(1.0 - far, far, corner);
-        sum += share.x * share.y * share.z * dot(perlinDirection(cell + corner, dimensions), d - corner);
+        sum += share.x * share.y * share.z * dot(perlinDirection(cell + corner, dimensions),
+            d - corner);
     }
     return sum;
 }
@@ -186,7 +189,8 @@ vec3 jenkinsPlaces(vec3 cell, int dimensions) {
     h.x += h.z;
     h.z = (h.z - h.y) ^ jenkinsTurned(h.y, 4);
     h.y += h.x;
-    return vec3(jenkinsEnd(h), jenkinsEnd(h + uvec3(1u, 0u, 0u)), jenkinsEnd(h + uvec3(2u, 0u, 0u)));
+    return vec3(jenkinsEnd(h), jenkinsEnd(h + uvec3(1u, 0u, 0u)),
+        jenkinsEnd(h + uvec3(2u, 0u, 0u)));
 }
 
 // Random number in [0, 1] per unit cube (or unit square), as MaterialX's cellnoise3d and
@@ -212,7 +216,8 @@ void worleySearch(vec3 p, float jitter, int dimensions, out vec3 away, out vec3 
         float rows = floor((float(i) + 0.5) / 3.0);
         float plane = floor((float(i) + 0.5) / 9.0);
         vec3 beside = (vec3(float(i) - 3.0 * rows, rows - 3.0 * plane, plane) - 1.0) * axes;
-        vec3 far = d - beside - ((jenkinsPlaces(cell + beside, dimensions) - 0.5) * jitter + 0.5) * axes;
+        vec3 far = d - beside - ((jenkinsPlaces(cell + beside, dimensions) - 0.5) * jitter + 0.5) *
+            axes;
         float square = dot(far, far);
         if (square < least) {
             least = square;
@@ -413,7 +418,8 @@ float carpenterRelief(sampler2D s, vec2 uv, vec2 size) {
     vec2 high = low + 1.0;
     high -= size * step(size, high);
     return mix(mix(texel(s, low, size).r, texel(s, vec2(high.x, low.y), size).r, weight.x),
-               mix(texel(s, vec2(low.x, high.y), size).r, texel(s, high, size).r, weight.x), weight.y);
+               mix(texel(s, vec2(low.x, high.y), size).r, texel(s, high, size).r, weight.x),
+                   weight.y);
 }
 
 // v / |v| for every finite v; (0, 0, 1) if all components are below 1e-37. v is divided by its

@@ -67,7 +67,8 @@ vec3 jenkinsPlaces(vec3 cell, int dimensions) {
     h.x += h.z;
     h.z = (h.z - h.y) ^ jenkinsTurned(h.y, 4);
     h.y += h.x;
-    return vec3(jenkinsEnd(h), jenkinsEnd(h + uvec3(1u, 0u, 0u)), jenkinsEnd(h + uvec3(2u, 0u, 0u)));
+    return vec3(jenkinsEnd(h), jenkinsEnd(h + uvec3(1u, 0u, 0u)),
+        jenkinsEnd(h + uvec3(2u, 0u, 0u)));
 }
 
 // Random number in [0, 1] per unit cube (or unit square), as MaterialX's cellnoise3d and
@@ -93,7 +94,8 @@ void worleySearch(vec3 p, float jitter, int dimensions, out vec3 away, out vec3 
         float rows = floor((float(i) + 0.5) / 3.0);
         float plane = floor((float(i) + 0.5) / 9.0);
         vec3 beside = (vec3(float(i) - 3.0 * rows, rows - 3.0 * plane, plane) - 1.0) * axes;
-        vec3 far = d - beside - ((jenkinsPlaces(cell + beside, dimensions) - 0.5) * jitter + 0.5) * axes;
+        vec3 far = d - beside - ((jenkinsPlaces(cell + beside, dimensions) - 0.5) * jitter + 0.5) *
+            axes;
         float square = dot(far, far);
         if (square < least) {
             least = square;

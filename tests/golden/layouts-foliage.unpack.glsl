@@ -59,15 +59,12 @@ Surface unpackTexels(uvec4 target0, uvec4 target1) {
     surface.diffuseTransparency = vec3(0.0);
     uint number = target0.x & 1u;
     if (number == 0u) {
-        surface.diffuse = vec3(rootFromBits(target0.y & 1023u, 10),
-            rootFromBits(target0.y >> 10 & 1023u, 10), rootFromBits(target0.y >> 20 & 1023u, 10));
+        surface.diffuse = vec3(rootFromBits(target0.y & 1023u, 10), rootFromBits(target0.y >> 10 & 1023u, 10), rootFromBits(target0.y >> 20 & 1023u, 10));
         surface.specular = vec3(unormFromBits(target1.x & 255u, 8) * 0.2);
     } else {
-        surface.diffuse = vec3(rootFromBits(target0.y & 255u, 8),
-            rootFromBits(target0.y >> 8 & 255u, 8), rootFromBits(target0.y >> 16 & 255u, 8));
+        surface.diffuse = vec3(rootFromBits(target0.y & 255u, 8), rootFromBits(target0.y >> 8 & 255u, 8), rootFromBits(target0.y >> 16 & 255u, 8));
         surface.specular = vec3(unormFromBits(target0.x >> 25 & 63u, 6) * 0.2);
-        surface.diffuseTransparency = vec3(rootFromBits(target0.y >> 24 & 63u, 6),
-            rootFromBits(target1.x & 63u, 6), rootFromBits(target1.x >> 6 & 63u, 6));
+        surface.diffuseTransparency = vec3(rootFromBits(target0.y >> 24 & 63u, 6), rootFromBits(target1.x & 63u, 6), rootFromBits(target1.x >> 6 & 63u, 6));
         surface.transparency = vec3(unormFromBits(target1.x >> 12 & 15u, 4));
     }
     return surface;

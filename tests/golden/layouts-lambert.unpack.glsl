@@ -45,8 +45,7 @@ float rootFromBits(uint code, int bits) {
 Surface unpackTexels(uvec4 target0) {
     Surface surface;
     surface.normal = octahedralFromBits(target0.x & 16777215u, 12);
-    surface.diffuse = vec3(rootFromBits(target0.x >> 24, 8), rootFromBits(target0.y & 255u, 8),
-        rootFromBits(target0.y >> 8 & 255u, 8));
+    surface.diffuse = vec3(rootFromBits(target0.x >> 24, 8), rootFromBits(target0.y & 255u, 8), rootFromBits(target0.y >> 8 & 255u, 8));
     return surface;
 }
 

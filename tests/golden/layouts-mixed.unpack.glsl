@@ -21,8 +21,7 @@ struct Surface {
     float shininess; // Phong exponent of the specular lobe.
     vec3 transparency; // Transparency, with alpha taken in: 1 + alpha (c - 1).
     float transparencyShininess; // Phong exponent of the transmitted lobe.
-    // 1 when transparency replaces diffuse and specular, 0 when it adds to them.
-    float interpolatedTransparency;
+    float interpolatedTransparency; // 1 when transparency replaces diffuse and specular, 0 when it adds to them.
     vec3 diffuseTransparency; // Colour of diffusely transmitted light.
     vec3 ambient; // Colour that ambient light is multiplied with.
     vec3 emissive; // Light that the surface sends out.
@@ -93,35 +92,25 @@ Surface unpackTexels(uvec4 target0) {
     uint number = target0.x & 3u;
     if (number == 0u) {
         surface.shininess = logarithmFromBits(target0.y & 1023u, 10);
-        surface.diffuse = vec3(rootFromBits(target0.y >> 10 & 255u, 8),
-            rootFromBits(target0.y >> 18 & 255u, 8), rootFromBits(target0.z & 255u, 8));
-        surface.specular = vec3(rootFromBits(target0.z >> 8 & 255u, 8),
-            rootFromBits(target0.z >> 16 & 255u, 8), rootFromBits(target0.z >> 24, 8));
-        surface.diffuseTransparency = vec3(rootFromBits(target0.w & 255u, 8),
-            rootFromBits(target0.w >> 8 & 255u, 8), rootFromBits(target0.w >> 16 & 255u, 8));
+        surface.diffuse = vec3(rootFromBits(target0.y >> 10 & 255u, 8), rootFromBits(target0.y >> 18 & 255u, 8), rootFromBits(target0.z & 255u, 8));
+        surface.specular = vec3(rootFromBits(target0.z >> 8 & 255u, 8), rootFromBits(target0.z >> 16 & 255u, 8), rootFromBits(target0.z >> 24, 8));
+        surface.diffuseTransparency = vec3(rootFromBits(target0.w & 255u, 8), rootFromBits(target0.w >> 8 & 255u, 8), rootFromBits(target0.w >> 16 & 255u, 8));
     } else if (number == 1u) {
         surface.emissive = sharedExponentFromBits(target0.x >> 2 & 67108863u, 7);
         surface.normal = octahedralFromBits(target0.y & 16777215u, 12);
         surface.shininess = logarithmFromBits(target0.z & 1023u, 10);
-        surface.diffuse = vec3(rootFromBits(target0.y >> 24, 8),
-            rootFromBits(target0.z >> 10 & 255u, 8), rootFromBits(target0.z >> 18 & 255u, 8));
-        surface.specular = vec3(rootFromBits(target0.w & 255u, 8),
-            rootFromBits(target0.w >> 8 & 255u, 8), rootFromBits(target0.w >> 16 & 255u, 8));
+        surface.diffuse = vec3(rootFromBits(target0.y >> 24, 8), rootFromBits(target0.z >> 10 & 255u, 8), rootFromBits(target0.z >> 18 & 255u, 8));
+        surface.specular = vec3(rootFromBits(target0.w & 255u, 8), rootFromBits(target0.w >> 8 & 255u, 8), rootFromBits(target0.w >> 16 & 255u, 8));
     } else if (number == 2u) {
         surface.transparencyShininess = logarithmFromBits(target0.y & 1023u, 10);
         surface.ior = logarithmFromBits(target0.y >> 10 & 1023u, 10);
-        surface.transparency = vec3(rootFromBits(target0.z >> 16 & 255u, 8),
-            rootFromBits(target0.z >> 24, 8), rootFromBits(target0.w & 255u, 8));
-        surface.ambient = vec3(rootFromBits(target0.w >> 8 & 127u, 7) * 0.2,
-            rootFromBits(target0.w >> 15 & 127u, 7) * 0.2,
-            rootFromBits(target0.w >> 22 & 127u, 7) * 0.2);
+        surface.transparency = vec3(rootFromBits(target0.z >> 16 & 255u, 8), rootFromBits(target0.z >> 24, 8), rootFromBits(target0.w & 255u, 8));
+        surface.ambient = vec3(rootFromBits(target0.w >> 8 & 127u, 7) * 0.2, rootFromBits(target0.w >> 15 & 127u, 7) * 0.2, rootFromBits(target0.w >> 22 & 127u, 7) * 0.2);
     } else {
         surface.shininess = logarithmFromBits(target0.y & 1023u, 10);
         surface.ior = logarithmFromBits(target0.y >> 10 & 1023u, 10);
-        surface.specular = vec3(rootFromBits(target0.z >> 16 & 255u, 8),
-            rootFromBits(target0.z >> 24, 8), rootFromBits(target0.w & 255u, 8));
-        surface.transparency = vec3(rootFromBits(target0.w >> 8 & 255u, 8),
-            rootFromBits(target0.w >> 16 & 255u, 8), rootFromBits(target0.w >> 24, 8));
+        surface.specular = vec3(rootFromBits(target0.z >> 16 & 255u, 8), rootFromBits(target0.z >> 24, 8), rootFromBits(target0.w & 255u, 8));
+        surface.transparency = vec3(rootFromBits(target0.w >> 8 & 255u, 8), rootFromBits(target0.w >> 16 & 255u, 8), rootFromBits(target0.w >> 24, 8));
         surface.interpolatedTransparency = unormFromBits(target0.x >> 26 & 1u, 1);
     }
     return surface;

@@ -53,7 +53,8 @@ vec4 latticeTerms(uvec4 hash, vec3 d) {
 float lattice(vec3 cell, vec3 d) {
     uvec4 low, high;
     latticeCorners(cell, low, high);
-    return latticeMix(latticeTerms(low, d), latticeTerms(high, d - vec3(0.0, 0.0, 1.0)), d) * latticeScale;
+    return latticeMix(latticeTerms(low, d), latticeTerms(high, d - vec3(0.0, 0.0, 1.0)), d) *
+        latticeScale;
 }
 
 // Noise in [-1, 1], standard deviation 1/2. About 1 sample in 20 is clamped. Error 2e-6, also for
@@ -127,14 +128,16 @@ void cellsSearch2Visit(vec2 away, int metric, inout vec3 first, inout vec3 secon
     }
 }
 
-void cellsSearch2(vec2 cell, vec2 d, float jitter, int metric, int count, out vec3 first, out vec3 second) {
+void cellsSearch2(vec2 cell, vec2 d, float jitter, int metric, int count, out vec3 first,
+    out vec3 second) {
     vec2 corner = 0.5 - 0.5 * jitter - d;
     first = vec3(0.0, 0.0, 64.0);
     second = first;
     for (int y = -1; y <= 1; y++)
         for (int x = -1; x <= 1; x++) {
             vec2 offset = vec2(float(x), float(y));
-            cellsSearch2Visit(offset + corner + jitter * cellsPlace2(cell, offset), metric, first, second);
+            cellsSearch2Visit(offset + corner + jitter * cellsPlace2(cell, offset), metric, first,
+                second);
         }
     vec2 side = abs(d - 0.5);
     float least = 2.0 - max(side.x, side.y) - 0.5 * jitter;
@@ -145,7 +148,8 @@ void cellsSearch2(vec2 cell, vec2 d, float jitter, int metric, int count, out ve
             vec2 nearest = max(abs(offset + 0.5 - d) - 0.5 * jitter, 0.0);
             bool inner = max(abs(offset.x), abs(offset.y)) < 1.5;
             if (inner || cellsFar2(nearest, metric) >= (count == 1 ? first.z : second.z)) continue;
-            cellsSearch2Visit(offset + corner + jitter * cellsPlace2(cell, offset), metric, first, second);
+            cellsSearch2Visit(offset + corner + jitter * cellsPlace2(cell, offset), metric, first,
+                second);
         }
 }
 

@@ -59,7 +59,8 @@ vec4 latticeTerms(uvec4 hash, vec3 d) {
 float lattice(vec3 cell, vec3 d) {
     uvec4 low, high;
     latticeCorners(cell, low, high);
-    return latticeMix(latticeTerms(low, d), latticeTerms(high, d - vec3(0.0, 0.0, 1.0)), d) * latticeScale;
+    return latticeMix(latticeTerms(low, d), latticeTerms(high, d - vec3(0.0, 0.0, 1.0)), d) *
+        latticeScale;
 }
 
 // Noise in [-1, 1], standard deviation 1/2. About 1 sample in 20 is clamped. Error 2e-6, also for
@@ -119,7 +120,8 @@ vec4 latticeRise(uvec4 low, uvec4 high, vec3 d) {
     vec2 depth = mix((t1 - t0).xy, (t1 - t0).zw, s.y);
     return vec4(latticeMix(x0, x1, d) + rise.x * (line.y - line.x),
                 latticeMix(y0, y1, d) + rise.y * (across.y - across.x),
-                latticeMix(z0, z1, d) + rise.z * mix(depth.x, depth.y, s.x), mix(line.x, line.y, s.x));
+                latticeMix(z0, z1, d) + rise.z * mix(depth.x, depth.y, s.x),
+                    mix(line.x, line.y, s.x));
 }
 
 // Gradient (xyz) and value (w) of lattice(cell, d). Error 2e-6.
@@ -168,7 +170,8 @@ float octaveShare(float width) {
 
 // Gradient by p (xyz) and value (w) of turbulenceFiltered(p, rest, ...). Error 5e-6 times the sum
 // of noiseRatio^k frequencyRatio^k.
-vec4 turbulenceGradient(vec3 p, vec3 rest, int octaves, float frequencyRatio, float noiseRatio, float width) {
+vec4 turbulenceGradient(vec3 p, vec3 rest, int octaves, float frequencyRatio, float noiseRatio,
+    float width) {
     int count = octaves > 1 ? octaves : 1;
     float strength = 1.0;
     float frequency = 1.0;

@@ -29,7 +29,8 @@ float carpenterRelief(sampler2D s, vec2 uv, vec2 size) {
     vec2 high = low + 1.0;
     high -= size * step(size, high);
     return mix(mix(texel(s, low, size).r, texel(s, vec2(high.x, low.y), size).r, weight.x),
-               mix(texel(s, vec2(low.x, high.y), size).r, texel(s, high, size).r, weight.x), weight.y);
+               mix(texel(s, vec2(low.x, high.y), size).r, texel(s, high, size).r, weight.x),
+                   weight.y);
 }
 
 // Bijective hash finalizer, two xorshift-multiply rounds: the top bits of every shifted hash are
@@ -79,7 +80,8 @@ vec4 latticeTerms(uvec4 hash, vec3 d) {
 float lattice(vec3 cell, vec3 d) {
     uvec4 low, high;
     latticeCorners(cell, low, high);
-    return latticeMix(latticeTerms(low, d), latticeTerms(high, d - vec3(0.0, 0.0, 1.0)), d) * latticeScale;
+    return latticeMix(latticeTerms(low, d), latticeTerms(high, d - vec3(0.0, 0.0, 1.0)), d) *
+        latticeScale;
 }
 
 // Noise in [-1, 1], standard deviation 1/2. About 1 sample in 20 is clamped. Error 2e-6, also for

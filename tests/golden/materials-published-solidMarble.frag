@@ -32,7 +32,8 @@ vec3 perlinDirection(vec3 corner, int dimensions) {
     float s = 1.0 - 2.0 * (h - 2.0 * pairs);
     float t = 1.0 - 2.0 * (pairs - 2.0 * floor(pairs * 0.5));
     if (dimensions < 3)
-        return 0.6616 * (h - 8.0 * floor(h * 0.125) < 4.0 ? vec3(s, 2.0 * t, 0.0) : vec3(2.0 * t, s, 0.0));
+        return 0.6616 * (h - 8.0 * floor(h * 0.125) < 4.0 ? vec3(s, 2.0 * t, 0.0)
+            : vec3(2.0 * t, s, 0.0));
     if (h < 8.0)
         return 0.982 * (h < 4.0 ? vec3(s, t, 0.0) : vec3(s, 0.0, t));
     return 0.982 * (h == 12.0 || h == 14.0 ? vec3(t, s, 0.0) : vec3(0.0, s, t));
@@ -51,7 +52,8 @@ float perlinOctave(vec3 p, int dimensions) {
         if (i > 3 && dimensions < 3) break;
         vec3 corner = vec3(i == 1 || i == 3 || i == 5 || i == 7, i == 2 || i == 3 || i > 5, i > 3);
         vec3 share = mix(1.0 - far, far, corner);
-        sum += share.x * share.y * share.z * dot(perlinDirection(cell + corner, dimensions), d - corner);
+        sum += share.x * share.y * share.z * dot(perlinDirection(cell + corner, dimensions),
+            d - corner);
     }
     return sum;
 }

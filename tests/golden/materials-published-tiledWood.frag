@@ -32,12 +32,14 @@ vec3 safeNormalize(vec3 v) {
 //   n = (0, 0, 1), du = (0, 2, 0), dv = (-1, 0, 0), own = (.5, 0):
 //   p = (0, 1), p^2 = (-1, 0), result (-.5, 0)
 vec2 anisotropyStored(vec2 own, vec3 n, vec3 du, vec3 dv) {
-    vec3 u = du * inversesqrt(max(dot(du, du), 1.0e-30)), v = dv * inversesqrt(max(dot(dv, dv), 1.0e-30));
+    vec3 u = du * inversesqrt(max(dot(du, du), 1.0e-30)),
+        v = dv * inversesqrt(max(dot(dv, dv), 1.0e-30));
     float across = dot(n.xy, n.xy);
     float below = n.z < 0.0 ? across / (1.0 - n.z) : 1.0 + n.z; // 1 + n.z
     vec2 p = u.xy - n.xy * (dot(n.xy, u.xy) / max(below, 1.0e-12) + u.z);
     float size = dot(p, p);
-    vec2 turn = size < 1.0e-8 ? vec2(1.0, 0.0) : vec2(p.x * p.x - p.y * p.y, 2.0 * p.x * p.y) / max(size, 1.0e-8);
+    vec2 turn = size < 1.0e-8 ? vec2(1.0, 0.0) : vec2(p.x * p.x - p.y * p.y, 2.0 * p.x * p.y) /
+        max(size, 1.0e-8);
     vec2 a = dot(cross(u, v), n) < 0.0 ? vec2(own.x, -own.y) : own;
     return vec2(a.x * turn.x - a.y * turn.y, a.x * turn.y + a.y * turn.x);
 }

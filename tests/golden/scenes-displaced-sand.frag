@@ -149,7 +149,8 @@ vec4 latticeRise(uvec4 low, uvec4 high, vec3 d) {
     vec2 depth = mix((t1 - t0).xy, (t1 - t0).zw, s.y);
     return vec4(latticeMix(x0, x1, d) + rise.x * (line.y - line.x),
                 latticeMix(y0, y1, d) + rise.y * (across.y - across.x),
-                latticeMix(z0, z1, d) + rise.z * mix(depth.x, depth.y, s.x), mix(line.x, line.y, s.x));
+                latticeMix(z0, z1, d) + rise.z * mix(depth.x, depth.y, s.x),
+                    mix(line.x, line.y, s.x));
 }
 
 // Derivative of vectorNoise(cell, d) along a direction.
@@ -169,7 +170,8 @@ vec3 vectorNoiseAlong(vec3 cell, vec3 d, vec3 direction) {
 
 // Derivative of vectorTurbulenceFiltered(p, rest, ...) along a direction. Error of
 // turbulenceGradient, times |direction|.
-vec3 vectorTurbulenceAlong(vec3 p, vec3 rest, int octaves, float frequencyRatio, float noiseRatio, float width,
+vec3 vectorTurbulenceAlong(vec3 p, vec3 rest, int octaves, float frequencyRatio, float noiseRatio,
+    float width,
                            vec3 direction) {
     int count = octaves > 1 ? octaves : 1;
     float strength = 1.0;

@@ -41,7 +41,8 @@ float cellsFar3(vec3 away, int metric) {
 
 // 32-bit hash of cell + offset, with a period of 2^25 per axis; every bit is well mixed.
 uint cellsHash3(vec3 cell, vec3 offset) {
-    uvec3 c = (uvec3(ivec3(cell) + ivec3(offset)) & 33554431u) * uvec3(0x9E3779B1u, 0x85EBCA77u, 0xC2B2AE3Du);
+    uvec3 c = (uvec3(ivec3(cell) + ivec3(offset)) & 33554431u) *
+        uvec3(0x9E3779B1u, 0x85EBCA77u, 0xC2B2AE3Du);
     uint h = c.x ^ c.y ^ (c.z + 0x165667B1u);
     h = (h ^ (h >> 16u)) * 0x7FEB352Du;
     h = (h ^ (h >> 15u)) * 0x846CA68Bu;
@@ -51,7 +52,8 @@ uint cellsHash3(vec3 cell, vec3 offset) {
 // Position of a cell's point in the cell, in (0, 1): 2048, 2048 and 1024 steps along x, y, z.
 vec3 cellsPlace3(vec3 cell, vec3 offset) {
     uint h = cellsHash3(cell, offset);
-    return (vec3(uvec3(h >> 21u, (h >> 10u) & 2047u, h & 1023u)) + 0.5) * vec3(1.0 / 2048.0, 1.0 / 2048.0, 1.0 / 1024.0);
+    return (vec3(uvec3(h >> 21u, (h >> 10u) & 2047u, h & 1023u)) + 0.5) *
+        vec3(1.0 / 2048.0, 1.0 / 2048.0, 1.0 / 1024.0);
 }
 
 // Finds the points nearest to d in a cell, as (offset, cellsFar3); `second` is valid only for count
@@ -69,7 +71,8 @@ void cellsSearch3Visit(vec3 away, int metric, inout vec4 first, inout vec4 secon
     }
 }
 
-void cellsSearch3(vec3 cell, vec3 d, float jitter, int metric, int count, out vec4 first, out vec4 second) {
+void cellsSearch3(vec3 cell, vec3 d, float jitter, int metric, int count, out vec4 first,
+    out vec4 second) {
     vec3 corner = 0.5 - 0.5 * jitter - d;
     first = vec4(0.0, 0.0, 0.0, 64.0);
     second = first;
@@ -77,7 +80,8 @@ void cellsSearch3(vec3 cell, vec3 d, float jitter, int metric, int count, out ve
         for (int y = -1; y <= 1; y++)
             for (int x = -1; x <= 1; x++) {
                 vec3 offset = vec3(float(x), float(y), float(z));
-                cellsSearch3Visit(offset + corner + jitter * cellsPlace3(cell, offset), metric, first, second);
+                cellsSearch3Visit(offset + corner + jitter * cellsPlace3(cell, offset), metric,
+                    first, second);
             }
     vec3 side = abs(d - 0.5);
     float gap = -max(side.x, max(side.y, side.z)) - 0.5 * jitter;
@@ -89,9 +93,12 @@ void cellsSearch3(vec3 cell, vec3 d, float jitter, int metric, int count, out ve
                 for (int x = -ring; x <= ring; x++) {
                     vec3 offset = vec3(float(x), float(y), float(z));
                     vec3 nearest = max(abs(offset + 0.5 - d) - 0.5 * jitter, 0.0);
-                    bool inner = max(abs(offset.x), max(abs(offset.y), abs(offset.z))) < float(ring) - 0.5;
-                    if (inner || cellsFar3(nearest, metric) >= (count == 1 ? first.w : second.w)) continue;
-                    cellsSearch3Visit(offset + corner + jitter * cellsPlace3(cell, offset), metric, first, second);
+                    bool inner = max(abs(offset.x), max(abs(offset.y), abs(offset.z))) <
+                        float(ring) - 0.5;
+                    if (inner || cellsFar3(nearest, metric) >= (count == 1 ? first.w : second.w))
+                        continue;
+                    cellsSearch3Visit(offset + corner + jitter * cellsPlace3(cell, offset), metric,
+                        first, second);
                 }
     }
 }

@@ -54,7 +54,8 @@ float scallopMean(float v, float edge) {
     vec2 turns = floor(q);
     vec2 part = q - turns;
     vec2 integral = (1.0 - vec2(cosinePi(part.x), cosinePi(part.y))) * (2.0 / 3.14159265);
-    float far = (integral.y - integral.x + (turns.y - turns.x) * (4.0 / 3.14159265)) / max(edge, 0.25) - 1.0;
+    float far = (integral.y - integral.x + (turns.y - turns.x) * (4.0 / 3.14159265)) /
+        max(edge, 0.25) - 1.0;
     return edge < 0.5 ? near : far;
 }
 
