@@ -40,7 +40,7 @@ target_link_libraries(failing_malloc PRIVATE matc_flags)
 target_link_options(failing_malloc PRIVATE -fno-sanitize=all)
 
 # ctest -L quick: for the inner loop, a few seconds in all
-set(QUICK golden abi embed_example functions layers locale exports format words)
+set(QUICK golden abi embed_example functions layers locale exports format words tutorial)
 
 file(GLOB TESTS CONFIGURE_DEPENDS tests/test_*.c tests/*/test_*.c tests/*/*/test_*.c)
 # A test passes properties to ctest by a comment line, /* ctest: WORD... */. The words are:
@@ -253,6 +253,7 @@ if(NOT SANITIZED)
   matc_test(pages sh tests/docs/pages.sh $<TARGET_FILE:matc> $<TARGET_FILE:matview>)
   matc_test(pictured sh tests/docs/pictured.sh $<TARGET_FILE:matc> ${PROJECT_BINARY_DIR}/reference)
   matc_test(pictures sh tests/docs/pictures.sh $<TARGET_FILE:matc> $<TARGET_FILE:matview>)
+  matc_test(tutorial sh tests/docs/tutorial.sh $<TARGET_FILE:matc> $<TARGET_FILE:matview>)
   matc_test(figures sh tests/docs/figures.sh ${PROJECT_BINARY_DIR})
   matc_test(browser sh tests/browser/run.sh $<TARGET_FILE:matc> ${PROJECT_BINARY_DIR})
   set_tests_properties(browser PROPERTIES LABELS browser)
