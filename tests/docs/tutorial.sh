@@ -46,9 +46,16 @@ while read -r document; do
     check "which is there" test -s "$drawn"
 done <"$work/names"
 check "the program has at most 60 lines" test "$(wc -l <"$work/draw.c")" -le 60
-# shellcheck disable=SC2046
-[ ! -e "${matc%/*}/libmatc_render.so" ] || check "and links" ${CC:-cc} -Wall -Wextra -Werror "$work/draw.c" \
-    -I compiler -I runtime/renderer -L "${matc%/*}" -lmatc_render $(pkg-config --cflags --libs osmesa) -o "$work/draw"
+draws() {
+    sed 's/width: 480, height: 300/width: 48, height: 30/' "$folder/scene.yaml" >"$work/scene.yaml"
+    cp "$folder"/step*.yaml "$work"
+    # shellcheck disable=SC2046
+    ${CC:-cc} -Wall -Wextra -Werror "$work/draw.c" -I compiler -I runtime/renderer -L "${matc%/*}" -lmatc_render \
+        $(pkg-config --cflags --libs osmesa) -o "$work/draw" &&
+        (cd "$work" && LD_LIBRARY_PATH=${matc%/*} ./draw scene.yaml) &&
+        [ "$(find "$work" -name 'frame[0-7].ppm' -size +4k | wc -l)" = 8 ] && ! cmp -s "$work/frame0.ppm" "$work/frame7.ppm"
+}
+[ ! -e "${matc%/*}/libmatc_render.so" ] || check "it draws eight frames, in which something moves" draws
 
 echo "$passed passed, $failed failed"
 [ "$failed" = 0 ]
