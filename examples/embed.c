@@ -17,7 +17,7 @@ static void print_program(const MatcProgram *program)
     puts(matc_output(program, MATC_FRAGMENT, NULL));
     for (int i = 0; i < matc_uniform_count(program); i++) {
         const MatcUniform *uniform = matc_uniform(program, i);
-        printf("// uniform %s: %d lanes, default %g", uniform->name, uniform->components,
+        printf("// uniform %s: %d components, default %g", uniform->name, uniform->components,
                uniform->initial[0]);
         for (int component = 1; component < uniform->components; component++)
             printf(", %g", uniform->initial[component]);

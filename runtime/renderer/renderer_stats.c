@@ -44,11 +44,11 @@ static void put_passes(Text *out, const Renderer *renderer, const RendererPassTi
     FramePlanRows made;
     frame_request(renderer, &made);
     const FramePlanPass *rows = made.passes;
-    text_format(out, "%-8s  %-22s  %-31s  %s\n", "pass", "reads", "writes",
+    text_format(out, "%-13s  %-22s  %-31s  %s\n", "pass", "reads", "writes",
                 times ? "milliseconds" : "runs when");
     for (int i = 0; i < frame_pass_count(); i++) {
         const char *why = frame_reason(renderer, &made.request, i);
-        text_format(out, "%-8s  %-22s  %-31s  ", rows[i].name,
+        text_format(out, "%-13s  %-22s  %-31s  ", rows[i].name,
                     joined(out->arena, rows[i].reads | rows[i].changes),
                     joined(out->arena, rows[i].fills | rows[i].changes));
         if (why)
@@ -185,7 +185,7 @@ static void put_soft(Text *out, const Renderer *renderer)
 
 static void put_memory(Text *out, const Renderer *renderer)
 {
-    text_format(out, "\n%-8s  %-24s  %s\n", "target", "format", "bytes a pixel");
+    text_format(out, "\n%-13s  %-24s  %s\n", "target", "format", "bytes a pixel");
     for (int i = 0; i < FRAME_TARGET_COUNT; i++) {
         const FrameTarget target = (FrameTarget)i;
         if (target == FRAME_TARGET_shadow)
@@ -199,14 +199,14 @@ static void put_memory(Text *out, const Renderer *renderer)
         else if (target == FRAME_TARGET_far)
             light_far_put(out, renderer);
         else if (renderer->targets.plan.memory[i][0] < 0)
-            text_format(out, "%-8s  %-24s  not there\n", frame_target_name(target), formats.at);
+            text_format(out, "%-13s  %-24s  not there\n", frame_target_name(target), formats.at);
         else {
-            text_format(out, "%-8s  %-24s  ", frame_target_name(target), formats.at);
+            text_format(out, "%-13s  %-24s  ", frame_target_name(target), formats.at);
             put_bytes(out, frame_bytes(renderer, target), frame_shared_bytes(renderer, target));
         }
     }
     plane_transmittance_put(out, renderer);
-    text_format(out, "%-8s  %-24s  %d\n", "", "", frame_all_bytes(renderer));
+    text_format(out, "%-13s  %-24s  %d\n", "", "", frame_all_bytes(renderer));
     if (renderer->samples > 1)
         text_format(out, "%d x %d samples a pixel: each has these bytes, and the picture one\n",
                     renderer->samples, renderer->samples);
