@@ -96,8 +96,8 @@ vec2 imageRise(sampler2D s, vec2 uv, vec2 size, int component) {
     last -= size * step(size, last);
     vec3 x = vec3(low.x, next.x, last.x);
     return texelsRise(imageRiseRow(s, x, low.y, size, component),
-        imageRiseRow(s, x, next.y, size, component),
-                      imageRiseRow(s, x, last.y, size, component), weight) * size;
+        imageRiseRow(s, x, next.y, size, component), imageRiseRow(s, x, last.y, size, component),
+        weight) * size;
 }
 
 // Finite difference of one component of the filtered texture over one texel along u and v, per unit
