@@ -1,6 +1,7 @@
 // needs: splitHigh
-// M root + offset to 2^-30 or so, for results below 2^22: a whole number, so many 4096ths, and what is below that. Every factor comes
-// as two numbers of 12 bits and a rest, so that each product is exact, whether or not the driver joins it with the sum behind it.
+// Computes M root + offset to about 2^-30, for results below 2^22. Factors are split into two
+// 12-bit numbers and a remainder, so every product is exact, fused multiply-add or not. `digits`
+// counts multiples of 1/4096, `below` sums smaller terms.
 void affineAdd(vec3 term, inout vec3 whole, inout vec3 digits, inout vec3 below) {
     vec3 cell = sign(term) * floor(abs(term));
     vec3 digit = (term - cell) * 4096.0;

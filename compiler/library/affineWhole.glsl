@@ -1,5 +1,5 @@
 // needs: affineSum
-// The whole number next to M root + offset.
+// M root + offset, rounded to the nearest integer.
 vec3 affineWhole(vec3 root, vec3 a0, vec3 b0, vec3 c0, vec3 a1, vec3 b1, vec3 c1, vec3 a2, vec3 b2, vec3 c2,
                  vec3 a3, vec3 b3, vec3 c3) {
     vec3 whole, fraction;

@@ -1,5 +1,5 @@
 // needs: arctangentBounded
-// Angle of (x, y) in [-pi, pi]; 0 for (0, 0). Error 4.5e-7, whatever the driver.
+// atan(y, x) in [-pi, pi]; 0 for (0, 0). Error 4.5e-7 on every driver.
 float angleBounded(float y, float x) {
     float greater = max(max(abs(x), abs(y)), 1.0e-37);
     vec2 v = abs(vec2(x, y)) / greater;

@@ -1,5 +1,5 @@
 // needs: arcSmall
-// Arc cosine of x in [-1, 1]. Error 4e-7, near x = 1 relative, whatever the driver.
+// Arc cosine of x in [-1, 1]. Error 4e-7 on every driver, relative near x = 1.
 float arccosineBounded(float x) {
     float a = min(abs(x), 1.0);
     float far = 2.0 * arcSmall(sqrt(0.5 - 0.5 * a));

@@ -1,5 +1,5 @@
 // needs: arcSmall
-// Arc sine of x in [-1, 1]. Error 3e-7, whatever the driver.
+// Arc sine of x in [-1, 1]. Error 3e-7 on every driver.
 float arcsineBounded(float x) {
     float a = min(abs(x), 1.0);
     float far = 1.57079633 - 2.0 * arcSmall(sqrt(0.5 - 0.5 * a));

@@ -1,5 +1,5 @@
 // needs:
-// Arc tangent. Relative error 3e-7, whatever the driver.
+// Arc tangent. Relative error 3e-7 on every driver.
 float arctangentBounded(float x) {
     float a = abs(x);
     bool steep = a > 2.41421356;

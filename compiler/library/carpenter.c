@@ -1,20 +1,21 @@
-/* Diamond-square on the torus, semantics.md 2.2, for any size: the lines of a grid of n cells stand
- * at floor(i width / n), so that for powers of two the cells are GroIMP's, and for others they
- * differ by a texel. Where lines coincide, the first value of a texel stays. The generator is
- * seeded; GroIMP ignores the seed, which is its seed 0. */
+/* Diamond-square on a torus, semantics.md 2.2, for any size: the lines of a grid of n cells are
+ * at floor(i width / n), so the cells are GroIMP's for powers of two and differ by at most a
+ * texel for others. If lines coincide, a texel keeps its first value. The generator is seeded;
+ * GroIMP ignores the seed and uses 0. */
 #include "compiler/library/carpenter.h"
 #include "compiler/library/java_random.h"
 #include <math.h>
 
-/* Keeps sums of neighbours finite where a roughness below 0 makes the offsets grow without end. */
+/* Bound of the texels: keeps sums of neighbors finite if a roughness below 0 makes the offsets
+ * grow. */
 #define GREATEST 1e30
 
 typedef struct {
     int width, height;
-    int lines; /* of this level's grid an axis, every second one from the level before */
+    int lines; /* grid lines per axis at this level; every second line is from the previous level */
     double reach;
     uint64_t state;
-    float *texels; /* NaN where there is no value yet */
+    float *texels; /* NaN if not yet computed */
 } DisplacementFound;
 
 static float *texel(DisplacementFound *r, int column, int row)
@@ -24,8 +25,8 @@ static float *texel(DisplacementFound *r, int column, int row)
     return &r->texels[y * r->width + x];
 }
 
-/* The mean of the texels at (column +- a, row +- b) and (column +- c, row +- d), moved by a random
- * offset. */
+/* Sets a texel to the mean of the texels at (column +- a, row +- b) and (column +- c, row +- d),
+ * plus a random offset. */
 static void subdivide(DisplacementFound *r, int column, int row, const int reach[4])
 {
     float *target = texel(r, column, row);
@@ -39,8 +40,8 @@ static void subdivide(DisplacementFound *r, int column, int row, const int reach
     *target = (float)fmax(fmin(value, GREATEST), -GREATEST);
 }
 
-/* One level: the centres of all cells from their corners, then the middles of the edges from the
- * four texels beside them. */
+/* Computes one level: the cell centers from their corners, then the edge midpoints from the four
+ * adjacent texels. */
 static void refine(DisplacementFound *r)
 {
     static const int diagonal[4] = {1, 1, 1, -1}, straight[4] = {1, 0, 0, 1};

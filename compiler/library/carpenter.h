@@ -1,10 +1,10 @@
-/* The relief of the Carpenter map. */
+/* Synthesizes the height map of the Carpenter map. */
 #ifndef MATC_CARPENTER_H
 #define MATC_CARPENTER_H
 #include <stdint.h>
 
-/* The parameters of the map: the height at the corners, the reach of the first offsets, and how
- * fast they fall with the level. */
+/* Parameters of the map: the height at the corners, the range of the first offsets, and how fast
+ * the range falls per level. */
 typedef struct {
     double color, noise, roughness;
     int64_t seed;

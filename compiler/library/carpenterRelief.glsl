@@ -1,6 +1,7 @@
 // needs: texel
-// A synthetic texture of one lane, repeated, mixed as GroIMP does: size * uv is cut toward zero, so that a negative coordinate
-// has a negative weight and extrapolates. Whole turns of uv are dropped first, which changes nothing and is exact.
+// Samples a synthetic single-channel texture, repeated and bilinear as in GroIMP: size * uv is
+// truncated toward zero, so a negative coordinate extrapolates with a negative weight. fract()
+// removes whole periods exactly.
 float carpenterRelief(sampler2D s, vec2 uv, vec2 size) {
     vec2 side = 1.0 - 2.0 * vec2(lessThan(uv, vec2(0.0)));
     vec2 at = fract(abs(uv)) * size;

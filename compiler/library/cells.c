@@ -1,12 +1,12 @@
-/* Cells: every whole square or cube has a point of its own, at random. Distances to the nearest
- * two, and whose they are, by asking ring after ring of cells around: none beyond the third can
- * have one of the nearest two, as compiler/library/cells.h proves. */
+/* Cellular noise: each unit square or cube has one random point. Finds the nearest two points
+ * and their cells by visiting rings of cells. compiler/library/cells.h proves that three rings
+ * suffice. */
 #include "compiler/library/cells.h"
 #include <stdint.h>
 #include <stdlib.h>
 
-enum { PRIME = 761, PRIME_STEP = 17, PERIOD = 65536 }; /* of the hash of floats */
-static const double TURN = 33554432;                   /* of the hash of words: 2^25 cells */
+enum { PRIME = 761, PRIME_STEP = 17, PERIOD = 65536 }; /* float hash */
+static const double TURN = 33554432;                   /* integer hash: period of 2^25 cells */
 
 static bool of_floats(ReferenceNoise noise)
 {
@@ -21,7 +21,7 @@ static uint32_t mixed(uint32_t h)
     return h ^ (h >> 16);
 }
 
-/* Modulo the period. What is not finite has no cell. */
+/* Cell coordinate modulo the period; 0 for infinity and NaN. */
 static uint32_t keyword_of(double cell)
 {
     const double near = cell - TURN * floor(cell / TURN);
@@ -30,7 +30,7 @@ static uint32_t keyword_of(double cell)
 
 static uint32_t cube(uint32_t x) { return x * x % PRIME * x % PRIME; }
 
-/* In [0, 761); blocks of 761 cells are no copies of each other. */
+/* Hash of a coordinate in [0, 761); blocks of 761 cells differ. */
 static uint32_t residue_of(double cell)
 {
     const double near = cell - PERIOD * floor(cell / PERIOD);
@@ -39,7 +39,7 @@ static uint32_t residue_of(double cell)
     return cube((block * (rest + 3) + rest) % PRIME);
 }
 
-/* Random values of a cell: a point in [0, 1]^3, and a number in [0, 1). */
+/* Random values of a cell: a point in [0, 1]^3 and a number in [0, 1). */
 typedef struct {
     double place[3], number;
 } Chance;
@@ -76,8 +76,7 @@ static double distance(const double a[3], CellsDistance how)
     return sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
 }
 
-/* How the distance to a point changes as the point that is asked moves, which is against the way to
- * it. */
+/* Gradient of the distance to a point by the sample position; it points away from the point. */
 static void rise_of(const CellsPoint *point, CellsDistance how, double rise[3])
 {
     for (int i = 0; i < 3; i++) {
@@ -91,8 +90,8 @@ static void rise_of(const CellsPoint *point, CellsDistance how, double rise[3])
     }
 }
 
-/* Equally far: the one of the first cell, with x as the fastest axis, so that the order of asking
- * does not matter. */
+/* Orders points by distance; ties by cell, with x as the fastest axis, so that the visiting
+ * order does not matter. */
 static bool is_nearer(const CellsPoint *a, const CellsPoint *b)
 {
     if (a->distance != b->distance)
@@ -128,7 +127,7 @@ static CellsPoint point_of(ReferenceNoise noise, const CellsQuestion *q, const i
     return point;
 }
 
-/* The cells that are so many away along one axis at least, and along none more. */
+/* Visits the cells at Chebyshev distance `ring` from the cell of p. */
 static void meet_ring(ReferenceNoise noise, const CellsQuestion *q, int ring, CellsPair *pair)
 {
     const int depth = q->dimensions == 3 ? ring : 0;
@@ -142,9 +141,9 @@ static void meet_ring(ReferenceNoise noise, const CellsQuestion *q, int ring, Ce
         }
 }
 
-/* A point of the ring k is k - 1 away or more: where the second nearest is nearer, no further ring
- * has one of the two. With p in the middle of a cell and both neighbours' points .9 away, the rings
- * 0 and 1 are asked, 27 cells of 343. */
+/* A point of ring k is at least k - 1 away: the search ends once the second nearest point is
+ * nearer. With p in the middle of a cell and both neighbors' points .9 away, only rings 0 and 1
+ * are visited, 27 cells of 343. */
 CellsPair cells_nearest(ReferenceNoise noise, const CellsQuestion *q)
 {
     const CellsPoint none = {.distance = INFINITY};
@@ -154,8 +153,7 @@ CellsPair cells_nearest(ReferenceNoise noise, const CellsQuestion *q)
     return pair;
 }
 
-/* Arguments: p, a rest that is added to it, jitter, which is taken to 0 or 1 beyond these,
- * distance. */
+/* Arguments: p, a rest that is added to p, jitter (clamped to [0, 1]), metric. */
 static CellsQuestion question(int dimensions, const double *args)
 {
     CellsQuestion q = {.dimensions = dimensions};
@@ -180,7 +178,7 @@ static double measure_of(const CellsPair *pair, double measure)
                                      : pair->second.distance - pair->first.distance;
 }
 
-/* The gradient by p, then the value. */
+/* Computes the gradient by p (0 to 2) and the value (3). */
 static void rise(const void *context, int dimensions, const double *args, double result[4])
 {
     const CellsPair pair = answer(context, dimensions, args);

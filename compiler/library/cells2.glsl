@@ -1,7 +1,8 @@
 // needs: cellsCell2 cellsDistance cellsSearch2
-// Cells of p + rest, each of which has a point, moved from its middle by up to jitter/2: the distance to the nearest point (value 0), to the second
-// nearest (1), or the second less the first (2): 0 on the walls between the points. Distances: 0 euclidean, 1 manhattan, 2 chebyshev. In [0, 2].
-// Error 6e-7.
+// Cellular noise at p + rest. Each cell has a point, at most jitter/2 per axis from the center.
+// Returns the distance to the nearest point (value 0), to the second nearest (1), or second minus
+// nearest (2), which is 0 at cell borders. Metric: 0 Euclidean, 1 Manhattan, 2 Chebyshev. In [0,
+// 2]. Error 6e-7.
 float cells2(vec2 p, vec2 rest, float jitter, int metric, int value) {
     vec2 cell, d;
     vec3 first, second;

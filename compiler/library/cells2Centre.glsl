@@ -1,5 +1,6 @@
 // needs: cellsCell2 cellsPlace2 cellsSearch2
-// The point nearest to p + rest: the same float for all that are nearest to it. Error 6e-8 of the place, half a float's last bit.
+// The cell point nearest to p + rest, bitwise equal across the cell. Error 6e-8 of the position,
+// half an ULP.
 vec2 cells2Centre(vec2 p, vec2 rest, float jitter, int metric) {
     vec2 cell, d;
     vec3 first, second;

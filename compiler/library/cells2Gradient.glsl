@@ -1,5 +1,6 @@
 // needs: cellsCell2 cellsDistance cellsRise2 cellsSearch2
-// Gradient by p of cells2(p, rest, jitter, metric, value), then its value. Error 6e-6 of the gradient, which is steeper the nearer the point, 6e-7 of the value.
+// Gradient by p (xyz) and value (w) of cells2(p, rest, jitter, metric, value). Error of the
+// gradient 6e-6, divided by the distance to the point; of the value 6e-7.
 vec4 cells2Gradient(vec2 p, vec2 rest, float jitter, int metric, int value) {
     vec2 cell, d;
     vec3 first, second;

@@ -1,5 +1,6 @@
 // needs: cellsCell2 cellsHash2 cellsNumber cellsSearch2
-// The random number in [0, 1] of the cell whose point is nearest to p + rest. Jumps where points are equally near; exact elsewhere.
+// Random number in [0, 1] of the cell whose point is nearest to p + rest. Discontinuous at cell
+// borders; exact elsewhere.
 float cells2Random(vec2 p, vec2 rest, float jitter, int metric) {
     vec2 cell, d;
     vec3 first, second;

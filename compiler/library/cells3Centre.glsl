@@ -1,5 +1,6 @@
 // needs: cellsCell3 cellsPlace3 cellsSearch3
-// The point nearest to p + rest: the same float for all that are nearest to it. Error 6e-8 of the place, half a float's last bit.
+// The cell point nearest to p + rest, bitwise equal across the cell. Error 6e-8 of the position,
+// half an ULP.
 vec3 cells3Centre(vec3 p, vec3 rest, float jitter, int metric) {
     vec3 cell, d;
     vec4 first, second;

@@ -1,5 +1,6 @@
 // needs: cellsCell3 cellsDistance cellsRise3 cellsSearch3
-// Gradient by p of cells3(p, rest, jitter, metric, value), then its value. Error 6e-6 of the gradient, which is steeper the nearer the point, 6e-7 of the value.
+// Gradient by p (xyz) and value (w) of cells3(p, rest, jitter, metric, value). Error of the
+// gradient 6e-6, divided by the distance to the point; of the value 6e-7.
 vec4 cells3Gradient(vec3 p, vec3 rest, float jitter, int metric, int value) {
     vec3 cell, d;
     vec4 first, second;

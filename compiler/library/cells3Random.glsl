@@ -1,5 +1,6 @@
 // needs: cellsCell3 cellsHash3 cellsNumber cellsSearch3
-// The random number in [0, 1] of the cell whose point is nearest to p + rest. Jumps where points are equally near; exact elsewhere.
+// Random number in [0, 1] of the cell whose point is nearest to p + rest. Discontinuous at cell
+// borders; exact elsewhere.
 float cells3Random(vec3 p, vec3 rest, float jitter, int metric) {
     vec3 cell, d;
     vec4 first, second;

@@ -1,5 +1,5 @@
 // needs:
-// p + rest as a whole square, less whole periods of 2^25, and a place in it in [0, 1). Exact.
+// Splits p + rest into an integer cell, modulo 2^25, and a position d in [0, 1) in the cell. Exact.
 void cellsCell2(vec2 p, vec2 rest, out vec2 cell, out vec2 d) {
     cell = floor(p);
     d = p - cell + rest;

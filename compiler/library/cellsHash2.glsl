@@ -1,5 +1,5 @@
 // needs:
-// Hash of the square that lies `offset` from another, with a period of 2^25 along each axis: all 32 bits are good.
+// 32-bit hash of cell + offset, with a period of 2^25 per axis; every bit is well mixed.
 uint cellsHash2(vec2 cell, vec2 offset) {
     uvec2 c = (uvec2(ivec2(cell) + ivec2(offset)) & 33554431u) * uvec2(0x9E3779B1u, 0x85EBCA77u);
     uint h = c.x ^ c.y ^ 0x27D4EB2Fu;

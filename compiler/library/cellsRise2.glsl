@@ -1,5 +1,6 @@
 // needs:
-// How the distance to a point (away, far) changes with the place it is seen from; 0 at the point itself.
+// Gradient, by the sample position, of the distance to a point given as (offset, cellsFar2); 0 at
+// the point.
 vec2 cellsRise2(vec3 point, int metric) {
     vec2 side = -sign(point.xy);
     vec2 a = abs(point.xy);

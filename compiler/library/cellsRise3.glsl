@@ -1,5 +1,6 @@
 // needs:
-// How the distance to a point (away, far) changes with the place it is seen from; 0 at the point itself.
+// Gradient, by the sample position, of the distance to a point given as (offset, cellsFar3); 0 at
+// the point.
 vec3 cellsRise3(vec4 point, int metric) {
     vec3 side = -sign(point.xyz);
     vec3 a = abs(point.xyz);

@@ -1,8 +1,8 @@
 // needs: cellsFar2 cellsPlace2
-// The points nearest to d in a square, as (away, far); the second is known where `count` is 2. The 9 squares around are asked first. Points of ring r,
-// of squares that are r away, are at least r - |d - 1/2| - jitter/2 away along an axis: where that is no nearer than what was found, which is nearly
-// always for euclidean distances, the search ends; else those of its squares are asked that may have a nearer one. compiler/library/cells.h proves
-// that none lies beyond ring 2.
+// Finds the points nearest to d in a cell, as (offset, cellsFar2); `second` is valid only for count
+// 2. Visits the 3 x 3 neighborhood first. Points of ring r are at least r - |d - 1/2| - jitter/2
+// away along an axis, so the search usually ends there for Euclidean distances; otherwise it visits
+// the cells of ring 2 that may hold a nearer point. cells.h proves that ring 2 suffices.
 void cellsSearch2Visit(vec2 away, int metric, inout vec3 first, inout vec3 second) {
     float far = cellsFar2(away, metric);
     if (far < first.z) {

@@ -1,8 +1,9 @@
 // needs: cellsFar3 cellsPlace3
-// The points nearest to d in a cell, as (away, far); the second is known where `count` is 2. The 27 cells around are asked first. Points of ring r,
-// of cells that are r away, are at least r - |d - 1/2| - jitter/2 away along an axis: where that is no nearer than what was found, which is nearly
-// always for euclidean distances, the search ends; else those of its cells are asked that may have a nearer one. compiler/library/cells.h proves
-// that none lies beyond ring 3.
+// Finds the points nearest to d in a cell, as (offset, cellsFar3); `second` is valid only for count
+// 2. Visits the 3 x 3 x 3 neighborhood first. Points of ring r are at least r - |d - 1/2| -
+// jitter/2 away along an axis, so the search usually ends there for Euclidean distances; otherwise
+// it visits the cells of rings 2 and 3 that may hold a nearer point. cells.h proves that ring 3
+// suffices.
 void cellsSearch3Visit(vec3 away, int metric, inout vec4 first, inout vec4 second) {
     float far = cellsFar3(away, metric);
     if (far < first.w) {

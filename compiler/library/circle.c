@@ -1,5 +1,5 @@
-/* The bounded forms of functions that GLSL leaves open: what they mean is what C's functions
- * are. */
+/* Bounded forms of functions whose precision GLSL does not specify. The references are C's
+ * functions. */
 #include "compiler/library/reference.h"
 
 REFERENCE(sineBounded) { (void)context, result[0] = sin(args[0]); }

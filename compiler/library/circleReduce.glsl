@@ -1,6 +1,7 @@
 // needs:
-// x less a whole number of quarter turns, in [-0.8, 0.8], and that number modulo 4. pi / 2 in four parts (Cody and Waite), the
-// first three of 8 bits, whose products with the number are exact up to 1e5: error 1e-7, beyond that 6e-8 |x|.
+// Range reduction: returns x minus k quarter turns, in [-0.8, 0.8], and k modulo 4. pi / 2 is split
+// into four parts (Cody and Waite); the first three have 8 bits, so their products with k are exact
+// up to 1e5. Error 1e-7, above 1e5 6e-8 |x|.
 vec2 circleReduce(float x) {
     x = clamp(x, -1.0e37, 1.0e37);
     float k = floor(x * 0.636619772 + 0.5);

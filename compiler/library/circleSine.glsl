@@ -1,5 +1,5 @@
 // needs:
-// Sine of r plus a number of quarter turns, r in [-0.8, 0.8]; polynomials with an error of 2e-9 before rounding.
+// Sine of r + quarter * pi / 2, r in [-0.8, 0.8]. The polynomials' error is 2e-9 before rounding.
 float circleSine(float r, float quarter) {
     float square = r * r;
     float s = r + r * square * (-0.166666507 + square * (8.33197866e-3 + square * -1.94956357e-4));

@@ -1,5 +1,6 @@
 // needs:
-// Inverse of halfFromCode: a whole number in [0, 61439] for any value. The exponent is found by comparisons, every step exact.
+// Inverse of halfFromCode: an integer in [0, 61439] for any value. Comparisons find the exponent;
+// every step is exact.
 float codeFromHalf(float value) {
     float v = clamp(abs(value) * 16384.0, 1.0, 1073217536.0);
     float exponent = 0.0;

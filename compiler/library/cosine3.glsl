@@ -1,5 +1,5 @@
 // needs:
-// Cosine by lane. As accurate as the cosine.
+// Component-wise cosine. Error of cos().
 vec3 cosine3(vec3 x) {
     return cos(x);
 }

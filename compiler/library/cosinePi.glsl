@@ -1,5 +1,5 @@
 // needs:
-// Cosine of pi x for x in [0, 1]. As accurate as the cosine.
+// cos(pi x) for x in [0, 1]. Error of cos().
 float cosinePi(float x) {
     return cos(3.14159265 * x);
 }

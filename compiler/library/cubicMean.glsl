@@ -1,7 +1,8 @@
 // needs:
-// Mean of t^2 (6 - 4 t) - 1, t = fract(v), over a box. Below an edge of 1/2 that of the polynomial and, of the part `over` that
-// reaches across the jump, how much the next period lies above it, 2 - 12 s^2 at s before the jump; above from the antiderivative
-// 2 t^3 - t^4 - t. Neither cancels: error 4e-7. The wave is odd around 1/2. A box of at most 1e-6 is the point.
+// Box-filtered cubic wave t^2 (6 - 4t) - 1, t = fract(v), of period 1. For edge < 1/2: the
+// polynomial's mean plus a correction for the part `over` beyond the jump, where the next period is
+// 2 - 12 s^2 higher at distance s. Else differences of the antiderivative 2t^3 - t^4 - t. No
+// cancellation; error 4e-7. An edge <= 1e-6 gives the point value.
 float cubicMean(float v, float edge) {
     float t = fract(v);
     float distance = v - floor(v + 0.5); // fract() rounds just below a whole number

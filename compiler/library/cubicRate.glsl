@@ -1,6 +1,7 @@
 // needs:
-// Derivative of cubicMean by v: below an edge of 1/2 that of its terms, above the difference of the wave at the box's ends over its
-// edge. A box of at most 1e-6 is the point. Error 4.6e-7 to max(1, |rate|).
+// Derivative of cubicMean by v: of its terms for edge < 1/2, else the wave's difference between the
+// box's ends over the edge. An edge <= 1e-6 gives the point's derivative. Error 4.6e-7 max(1,
+// |rate|).
 float cubicRate(float v, float edge) {
     float t = fract(v);
     float q = abs(v - floor(v + 0.5));

@@ -1,5 +1,6 @@
 // needs:
-// Inverse of encodeOctahedral: a unit vector for any e in [-1, 1]^2; before it is normalised its length is at least 1/sqrt(3).
+// Inverse of encodeOctahedral: a unit vector for any e in [-1, 1]^2. The length before normalize()
+// is >= 1/sqrt(3).
 vec3 decodeOctahedral(vec2 e) {
     float z = 1.0 - abs(e.x) - abs(e.y);
     float fold = max(-z, 0.0);

@@ -1,5 +1,6 @@
 // needs:
-// A world direction in eye space; the matrix is a rotation, so that lengths and angles stay.
+// Transforms a direction from world to eye space. The matrix is a rotation: lengths and angles are
+// kept.
 uniform mat3 matc_eyeFromWorld;
 vec3 eyeFromWorld(vec3 d) {
     return matc_eyeFromWorld * d;

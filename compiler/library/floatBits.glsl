@@ -1,5 +1,5 @@
 // needs:
-// The 32 bits of v, taken to the finite floats.
+// The 32 bits of v, clamped to finite floats.
 uint floatBits(float v) {
     return floatBitsToUint(clamp(v, -3.4028234e38, 3.4028234e38));
 }

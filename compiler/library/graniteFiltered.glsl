@@ -1,6 +1,6 @@
 // needs: magnitudeShare noiseLong noiseStatistics
-// granite(p + rest) over a square of an edge `width`: octaves fade to their mean, and finer ones are not computed at all.
-// Error 3.2e-6.
+// granite(p + rest), filtered over a square of edge `width`: octaves fade to their mean and are
+// skipped once faded. Error 3.2e-6.
 float graniteFiltered(vec3 p, vec3 rest, float width) {
     float frequency = 4.0;
     float strength = 1.0;

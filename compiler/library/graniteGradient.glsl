@@ -1,5 +1,5 @@
 // needs: magnitudeShare noiseSlope noiseStatistics
-// Gradient by p of graniteFiltered(p, rest, width), then its value. Error 1e-4.
+// Gradient by p (xyz) and value (w) of graniteFiltered(p, rest, width). Error 1e-4.
 vec4 graniteGradient(vec3 p, vec3 rest, float width) {
     float frequency = 4.0;
     float strength = 1.0;

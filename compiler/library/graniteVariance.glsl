@@ -1,6 +1,6 @@
 // needs: magnitudeLoss noiseStatistics
-// Variance over the square that graniteFiltered leaves out, besides what the slope of its result says: of each octave of
-// |noise|, 0.081 at most. Error 6e-8, and 1e-6 of it for narrow squares.
+// Variance in the square that graniteFiltered removes, less the part that its gradient explains. An
+// octave of |noise| has at most 0.081. Error 6e-8, relative 1e-6 for narrow squares.
 float graniteVariance(float width) {
     float strength = 0.081;
     float sum = 0.0;

@@ -1,7 +1,8 @@
 // needs:
-// The 16 bits of the half float nearest to v, ties to even; at most 65504 in size, subnormal ones kept. Not packHalf2x16, which
-// GLSL 3.30 lacks, and whose rounding is the driver's choice. From 2^-14 on, the mantissa is rounded as part of a whole number,
-// and a carry goes on into the exponent; below, it is |v| in units of 2^-24.
+// Rounds v to the nearest half float, ties to even, clamped to 65504, subnormals kept; returns the
+// bits. Replaces packHalf2x16, which GLSL 3.30 lacks and whose rounding is undefined. From 2^-14 on
+// the mantissa is rounded as an integer, whose carry enters the exponent; smaller values are
+// multiples of 2^-24.
 uint halfBits(float v) {
     float c = clamp(v, -65504.0, 65504.0);
     uint word = floatBitsToUint(abs(c));

@@ -1,6 +1,6 @@
 // needs:
-// A whole number in [0, 61439] to one of as many half floats, the finite ones that are neither zero nor subnormal: 30720 from
-// 2^-14 to 65504, then their negatives. Every step is exact: products with powers of two, no exp2.
+// Maps an integer in [0, 61439] to a normal half float: 30720 from 2^-14 to 65504, then their
+// negatives. Exact: multiplies by powers of two, without exp2.
 float halfFromCode(float code) {
     float c = code < 30720.0 ? code : code - 30720.0;
     float exponent = floor(c * (1.0 / 1024.0));

@@ -1,5 +1,5 @@
-/* Pictures and reliefs, semantics.md 2.2. Arguments: the texture's index, u, v, and its size, which
- * the texture itself knows. */
+/* Images and height maps, semantics.md 2.2. Arguments: the texture's index, u, v, and the
+ * texture's size, which the texture itself contains. */
 #include "compiler/library/reference.h"
 #include "compiler/library/srgb.h"
 #include <stddef.h>
@@ -12,7 +12,7 @@ static const ReferenceTexture *texture_of(const void *context, double index)
     return &((const ReferenceContext *)context)->textures[(int)index];
 }
 
-/* The texture as a function that fetches texels sees it. */
+/* The texture as texel-fetching functions sample it. */
 static ReferenceTexture fetched_of(const void *context, double index)
 {
     ReferenceTexture texture = *texture_of(context, index);
@@ -28,8 +28,8 @@ static double rest(double whole, double divisor)
     return whole - divisor * floor(whole / divisor);
 }
 
-/* A whole number as an index below size, or NOWHERE; a coordinate that is not finite has none, and
- * 0 keeps the cast defined. */
+/* Converts an integer to an index below size, or NOWHERE; infinity and NaN give NOWHERE, and 0
+ * keeps the cast defined. */
 static int index_of(ReferenceWrap wrap, double whole, int size)
 {
     if (whole >= 0 && whole < size)
@@ -46,8 +46,8 @@ static int index_of(ReferenceWrap wrap, double whole, int size)
     return index >= 0 && index < size ? (int)index : 0;
 }
 
-/* A coordinate in texels. Whole turns go first: the product of a great one has no digits left for
- * the weight. */
+/* Converts a coordinate to texels. Whole periods are removed first: a large product would have
+ * no digits left for the weight. */
 static double in_texels(const ReferenceTexture *texture, double coordinate, int size)
 {
     const double turn = texture->wrap == REFERENCE_REPEAT   ? 1
@@ -56,7 +56,7 @@ static double in_texels(const ReferenceTexture *texture, double coordinate, int 
     return turn > 0 ? fraction(coordinate / turn) * turn * size : coordinate * size;
 }
 
-/* A texel as OpenGL reads it: the components that a texture of one component lacks are 0, 0, 1. */
+/* Reads a texel as OpenGL does: missing components of a single-channel texture are 0, 0, 1. */
 static void texel(const ReferenceTexture *texture, double column, double row,
                   double result[COMPONENTS])
 {
@@ -81,7 +81,7 @@ static void texel(const ReferenceTexture *texture, double column, double row,
 
 static double blend(double a, double b, double t) { return a * (1 - t) + b * t; }
 
-/* The texels from (column, row) on, mixed. The weights may be negative. */
+/* Interpolates the four texels starting at (column, row). Weights may be negative. */
 static void mixed(const ReferenceTexture *texture, const double at[2], const double weight[2],
                   double result[COMPONENTS])
 {
@@ -100,7 +100,7 @@ REFERENCE(imageNearest)
     double column = floor(in_texels(&texture, args[1], texture.width));
     double row = floor(in_texels(&texture, args[2], texture.height));
     if (texture.wrap == REFERENCE_REPEAT) {
-        /* The fraction of a tiny negative number rounds to 1, which belongs to the last texel. */
+        /* The fraction of a tiny negative number rounds to 1; clamp to the last texel. */
         column = fmin(column, texture.width - 1);
         row = fmin(row, texture.height - 1);
     }
@@ -122,7 +122,7 @@ REFERENCE(imageBilinear)
     bilinear(&texture, &args[1], result);
 }
 
-/* The sampler's own weights are those of the four texels. */
+/* The sampler interpolates the same four texels. */
 REFERENCE(imageSampled) { bilinear(texture_of(context, args[0]), &args[1], result); }
 
 REFERENCE(imageCentred)
@@ -142,8 +142,8 @@ REFERENCE(pictureSize)
 REFERENCE(carpenterRelief)
 {
     const ReferenceTexture *texture = texture_of(context, args[0]);
-    /* Whole turns go first, as the product of a great coordinate and the size has no digits left
-     * for the weight. */
+    /* Whole periods are removed first: the product of a large coordinate and the size would have
+     * no digits left for the weight. */
     const double at[2] = {(args[1] - trunc(args[1])) * texture->width,
                           (args[2] - trunc(args[2])) * texture->height};
     const double low[2] = {trunc(at[0]), trunc(at[1])};
@@ -153,7 +153,7 @@ REFERENCE(carpenterRelief)
     result[0] = components[0];
 }
 
-/* How the mix of four texels changes with its weights, each moving by `rate`. */
+/* Derivative of the interpolation as its weights change by `rate`. */
 static void mixed_along(const ReferenceTexture *texture, const double at[2], const double weight[2],
                         const double rate[2], double result[COMPONENTS])
 {
@@ -193,7 +193,7 @@ REFERENCE(reliefAlong)
     result[0] = components[0];
 }
 
-/* The mean of samples over a footprint: the changes of u and v to the right, then upward. */
+/* Mean of samples over a footprint: the derivatives of u and v to the right, then upward. */
 static void footprint_mean(const ReferenceTexture *texture, const double uv[2],
                            const double spread[4], double result[COMPONENTS])
 {
@@ -215,13 +215,14 @@ REFERENCE(imageFiltered)
     footprint_mean(texture_of(context, args[0]), &args[1], &args[5], result);
 }
 
-/* Texels that a change of uv crosses. */
+/* Length, in texels, of a change of uv. */
 static double texels_across(const ReferenceTexture *texture, const double *change)
 {
     return hypot(texture->width * change[0], texture->height * change[1]);
 }
 
-/* Up to a texel a pixel the sampler magnifies: the value at the point. */
+/* Value that the sampler returns: the point value under magnification (at most a texel per
+ * pixel), else the footprint's mean. */
 static void shown(const ReferenceTexture *texture, const double uv[2], const double spread[4],
                   double result[COMPONENTS])
 {
@@ -233,7 +234,7 @@ static void shown(const ReferenceTexture *texture, const double uv[2], const dou
 
 REFERENCE(imageSampledOver) { shown(texture_of(context, args[0]), &args[1], &args[5], result); }
 
-/* By how much a component is greater one texel further along u and along v, over a texel. */
+/* Finite difference of a component over one texel along u and v, per unit of uv. */
 static void rise(const ReferenceTexture *texture, const double uv[2], double component,
                  const double spread[4], double *result)
 {
@@ -260,7 +261,7 @@ REFERENCE(imageRiseOver)
     rise(texture_of(context, args[0]), &args[1], args[5], &args[6], result);
 }
 
-/* Far from the origin the picture itself counts, and not what is said of it. */
+/* Far from the origin, the texture is sampled and the given difference is ignored. */
 REFERENCE(imageRiseNear)
 {
     enum { FAR = 65536 };

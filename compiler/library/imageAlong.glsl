@@ -1,5 +1,5 @@
 // needs: texel
-// Derivative of imageBilinear(s, uv, size) along a direction of uv: within a square of texels it is exact.
+// Derivative of imageBilinear(s, uv, size) along a direction in uv. Exact between texels.
 vec4 imageAlong(sampler2D s, vec2 uv, vec2 size, vec2 direction) {
     vec2 at = fract(uv) * size;
     vec2 low = floor(at);

@@ -1,6 +1,7 @@
 // needs: texel
-// The four texels from floor(size * fraction of uv) on, repeated, mixed by the fraction of that: a texel's value stands at its
-// lower corner, not at its centre. The first step is for a fraction that rounds up to 1. Error 8e-7.
+// Bilinear lookup with repeat. A texel's value is at its lower corner, not its center: the four
+// texels from floor(size * fract(uv)) on. The first step() handles a fract() that rounds to 1.
+// Error 8e-7.
 vec4 imageBilinear(sampler2D s, vec2 uv, vec2 size) {
     vec2 at = fract(uv) * size;
     vec2 low = floor(at);

@@ -1,6 +1,6 @@
 // needs: imageBilinear
-// Mean of a picture over the footprint that the changes of uv to the pixel's right and upper neighbour span: the four texels
-// as they are while it is below a texel, from there on 4 x 4 samples.
+// Filters an image over the footprint of the pixel's uv derivatives `right` and `up`: bilinear
+// below one texel, else 4 x 4 samples.
 vec4 imageFiltered(sampler2D s, vec2 uv, vec2 size, vec2 right, vec2 up) {
     vec2 edges = max(abs(right), abs(up)) * size;
     if (max(edges.x, edges.y) <= 1.0)

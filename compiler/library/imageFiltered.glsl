@@ -1,6 +1,6 @@
 // needs: imageBilinear
-// Mean of a picture over the footprint that the changes of uv to the pixel's right and upper neighbour span: the four texels
-// as they are while it is below a texel, from there on the picture's mipmaps, with which its texture must come.
+// Filters an image over the footprint of the pixel's uv derivatives `right` and `up`: bilinear
+// below one texel, else by the mipmaps, which the texture must have.
 vec4 imageFiltered(sampler2D s, vec2 uv, vec2 size, vec2 right, vec2 up) {
     vec2 edges = max(abs(right), abs(up)) * size;
     float texels = max(edges.x, edges.y);

@@ -1,6 +1,6 @@
 // needs: texel texelsRise
-// By how much a lane of imageBilinear(s, uv, size) is greater one texel further along u and along v, over a texel: eight texels
-// stand for the twelve of three places. Error 6e-7 of the size.
+// Finite difference of imageBilinear(s, uv, size)[lane] over one texel along u and v, per unit of
+// uv. Reads eight texels instead of twelve. Error 6e-7 * size.
 vec3 imageRiseRow(sampler2D s, vec3 x, float y, vec2 size, int lane) {
     return vec3(texel(s, vec2(x.x, y), size)[lane], texel(s, vec2(x.y, y), size)[lane], texel(s, vec2(x.z, y), size)[lane]);
 }

@@ -1,5 +1,6 @@
 // needs: texelBeyond texelsRise imageRiseSampled
-// imageRiseOver of a picture that its sampler mirrors (address 1), clamps (2), or surrounds with 0 (3). Error 6e-7 of the size.
+// imageRiseOver for a sampler that mirrors (address 1), clamps (2), or has a zero border (3). Error
+// 6e-7 size.
 vec3 imageRiseBeyondRow(sampler2D s, vec3 x, float y, vec2 size, int lane, int address) {
     return vec3(texelBeyond(s, vec2(x.x, y), size, address)[lane], texelBeyond(s, vec2(x.y, y), size, address)[lane],
                 texelBeyond(s, vec2(x.z, y), size, address)[lane]);

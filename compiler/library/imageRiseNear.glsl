@@ -1,7 +1,7 @@
 // needs: imageRise imageRiseSampled
-// imageRise up to a texel a pixel, where the sampler's weights have eight bits, too few for a difference times the size; from there
-// on the rise of what it shows. Beyond 65536 texels floats keep a step of a texel to less than 1/256: there whole turns are dropped, and
-// the sampler is told the footprint, so that it sees no seam.
+// imageRise under magnification, because the sampler's 8-bit weights are too coarse for a
+// difference times the size; else the given difference `shown`. Outside 65536 texels a float cannot
+// step 1/256 texel: whole periods are dropped, and the explicit footprint avoids a seam.
 vec2 imageRiseNear(sampler2D s, vec2 uv, vec2 size, int lane, vec2 right, vec2 up, vec2 shown) {
     vec2 across = right * size, along = up * size, far = abs(uv) * size;
     if (max(dot(across, across), dot(along, along)) <= 1.0)

@@ -1,5 +1,6 @@
 // needs:
-// By how much a lane of what the sampler shows over a footprint is greater one texel further along u and along v, over a texel.
+// Finite difference of the filtered texture's component `lane` over one texel along u and v, per
+// unit of uv.
 vec2 imageRiseSampled(sampler2D s, vec2 uv, vec2 size, int lane, vec2 right, vec2 up) {
     vec2 at = uv + 0.5 / size;
     float here = textureGrad(s, at, right, up)[lane];

@@ -1,5 +1,5 @@
-/* java.util.Random, as its documentation defines it: 48 bits of linear congruence. GroIMP's tables
- * and reliefs come from it. */
+/* java.util.Random as its documentation defines it: a 48-bit linear congruential generator.
+ * GroIMP's tables and height maps use it. */
 #ifndef MATC_JAVA_RANDOM_H
 #define MATC_JAVA_RANDOM_H
 #include <stdint.h>
@@ -20,7 +20,7 @@ static inline uint32_t java_random_bits(uint64_t *state, int bits)
     return (uint32_t)(*state >> (JAVA_RANDOM_BITS - bits));
 }
 
-/* Twice nextFloat less one: uniform in [-1, 1), 24 bits, exact in a float. */
+/* 2 nextFloat() - 1: uniform in [-1, 1), 24 bits, exact in a float. */
 static inline float java_random_signed(uint64_t *state)
 {
     return 2 * ((float)java_random_bits(state, 24) / 16777216) - 1;

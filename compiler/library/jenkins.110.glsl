@@ -1,6 +1,7 @@
 // needs:
-// The same without whole numbers: 32 bits are two halves in floats, (high, low), all below 2^24, hence exact. A turn to the left by `by` bits is that of halves,
-// which change places from 16 on, times two to the power of the rest.
+// Float version of Jenkins' hash for GLSL without integers: 32 bits as (high, low) halves; all
+// values stay below 2^24, hence exact. jenkinsTurned rotates left: from 16 bits on the halves swap,
+// then multiply by a power of two.
 vec2 jenkinsSum(vec2 a, vec2 b, float sign_) {
     vec2 sum = a + sign_ * b;
     float carry = floor(sum.y / 65536.0);

@@ -1,6 +1,7 @@
 // needs:
-// Jenkins' hash of whole numbers, |cell| <= 2^24: lookup3 of `count` of them, 2 or 3, begun at 0xDEADBEEF + 4 count + 13, as OSL and MaterialX have it, over
-// 2^32 - 1. Of two, cell.z is 0. Error 1e-7. jenkinsPlaces: those of the numbers and a further one, 0 to `dimensions` - 1, by lanes.
+// Jenkins' lookup3 hash of `count` (2 or 3) integers, |cell| <= 2^24, over 2^32 - 1, seeded with
+// 0xDEADBEEF + 4 count + 13 as in OSL and MaterialX. For count 2, cell.z is 0. Error 1e-7.
+// jenkinsPlaces also hashes the component index 0 to `dimensions` - 1.
 uint jenkinsTurned(uint bits, int by) {
     return (bits << by) | (bits >> (32 - by));
 }

@@ -1,16 +1,16 @@
-/* The lattice noises of semantics.md 3.1 in double precision. They differ only in the numbers that
- * stand at a corner. */
+/* The lattice noises of semantics.md 3.1 in double precision. They differ only in the random
+ * numbers at a lattice corner. */
 #include "compiler/library/java_random.h"
 #include "compiler/library/reference.h"
 #include <pthread.h>
 #include <string.h>
 
 enum {
-    PERIOD = 65536,     /* of every noise along every axis */
-    OUTPUTS = 3,        /* of the vector noise */
-    NUMBERS = 4,        /* at a corner, an output: the value, then the gradient */
-    RANDOM_COUNT = 512, /* GroIMP's table */
-    RANDOM_STEP = 8,    /* its shift from one output to the next */
+    PERIOD = 65536,     /* per axis, for every noise */
+    OUTPUTS = 3,        /* components of vector noise */
+    NUMBERS = 4,        /* per corner and output: value, gradient */
+    RANDOM_COUNT = 512, /* size of GroIMP's table */
+    RANDOM_STEP = 8,    /* table offset between outputs */
     PRIME = 761,        /* modulus of the float hash */
     PRIME_STEP = 17     /* added to a float hash before it is permuted again */
 };
@@ -23,7 +23,7 @@ typedef struct {
 
 static uint16_t permutation[PERIOD];
 static float
-    /* repeats its beginning at its end */
+    /* wraps around: the end repeats the beginning */
     random_table[RANDOM_COUNT + NUMBERS - 1 + (OUTPUTS - 1) * RANDOM_STEP];
 static pthread_once_t tables_once = PTHREAD_ONCE_INIT;
 
@@ -33,7 +33,7 @@ static void build_tables(void)
     for (int i = 0; i < PERIOD; i++)
         permutation[i] = (uint16_t)i;
     for (int i = 0; i < PERIOD; i++) {
-        /* Java's nextInt(2^16) is the topmost 16 of 31 bits. */
+        /* Java's nextInt(2^16) returns the top 16 of 31 bits. */
         uint32_t j = java_random_bits(&state, 31) >> 15;
         uint16_t kept = permutation[i];
         permutation[i] = permutation[j];
@@ -64,7 +64,7 @@ static uint32_t mix_bits(uint32_t h)
     return h ^ (h >> 16);
 }
 
-/* A hash shifted left and read as a signed number over 2^31. */
+/* The hash as a signed number, divided by 2^31. */
 static double signed_bits(uint32_t h)
 {
     return (h < 0x80000000u ? (double)h : (double)h - 4294967296.0) / 2147483648.0;
@@ -84,7 +84,7 @@ static Corner integer_corner(const uint32_t c[3], int outputs)
     return corner;
 }
 
-/* Corner of a simplex: its numbers are the top bits of products of its hash. It has no value. */
+/* Numbers of a simplex corner: the top bits of products of its hash. The value is 0. */
 static Corner simplex_corner(const uint32_t c[3], int outputs)
 {
     static const uint32_t factor[NUMBERS] = {0, 0xCAF4BCE3u, 0xCF612DE7u, 0x6BA88D47u};
@@ -134,7 +134,7 @@ static Corner groimp_corner(const uint32_t c[3], int outputs)
     return corner;
 }
 
-/* The first so many of its outputs. */
+/* Computes the first `outputs` outputs of a corner. */
 static Corner corner_of(ReferenceNoise noise, const uint32_t c[3], int outputs)
 {
     switch (noise) {
@@ -151,26 +151,25 @@ static Corner corner_of(ReferenceNoise noise, const uint32_t c[3], int outputs)
     }
 }
 
-/* A whole number modulo the period. A coordinate that is not finite has no cell; the first one
- * keeps the cast defined. */
+/* An integer modulo the period; 0 for infinity and NaN, which keeps the cast defined. */
 static uint32_t wrap(double whole)
 {
     double wrapped = whole - PERIOD * floor(whole / PERIOD);
     return wrapped >= 0 && wrapped < PERIOD ? (uint32_t)wrapped : 0;
 }
 
-/* How much a corner counts at a point, and how that changes along each axis. */
+/* A corner's interpolation weight at a point, and the weight's gradient. */
 typedef struct {
     double value, slope[3];
 } Weight;
 
-/* Sums over corners, for the first `outputs` outputs. */
+/* Sums over corners of the first `outputs` outputs. */
 typedef struct {
     int outputs;
     double value[OUTPUTS], slope[OUTPUTS][3];
 } Sum;
 
-/* Adds a corner's value-plus-gradient term times a weight, and the derivative of that. */
+/* Adds a corner's value-plus-gradient term times a weight, and the gradient of the product. */
 static void add_corner(const Corner *corner, const double e[3], const Weight *weight, Sum *sum)
 {
     for (int output = 0; output < sum->outputs; output++) {
@@ -210,8 +209,8 @@ static void cubic(ReferenceNoise noise, const double p[3], Sum *sum)
     }
 }
 
-/* The corners of the simplex around x, in order: each step goes along the axis of the next smaller
- * fraction. */
+/* Finds the corners of the simplex around x, in order: each step follows the axis of the next
+ * smaller fraction. */
 static void simplex_steps(const double x[3], int steps[4][3])
 {
     int rank[3];
@@ -225,8 +224,8 @@ static void simplex_steps(const double x[3], int steps[4][3])
             steps[corner][i] = rank[i] < corner;
 }
 
-/* Gradient noise on the simplex lattice (Gustavson 2005) with the kernel (1/2 - r^2)^4, which ends
- * where a simplex does, so that the noise is continuous; the kernel's usual 0.6 is not. */
+/* Gradient noise on the simplex lattice (Gustavson 2005) with the kernel (1/2 - r^2)^4, which is
+ * 0 at a simplex' border, so the noise is continuous; the usual 0.6 instead of 1/2 is not. */
 static void simplex(ReferenceNoise noise, const double far[3], Sum *sum)
 {
     const double p[3] = {fmod(far[0], 3. * PERIOD), fmod(far[1], 3. * PERIOD),

@@ -1,6 +1,7 @@
 // needs: latticeNumbers latticeScale simplexCorners
-// Simplex noise at a point of a cell: gradients at the four corners of a simplex, under the kernel (1/2 - r^2)^4, which ends where
-// the simplex does: the noise is continuous. About [-1, 1], standard deviation 1/4, 0 at lattice points. Error 1e-6.
+// Simplex noise at position d in a cell: gradients at a simplex' four corners, kernel (1/2 -
+// r^2)^4, which is 0 at the simplex' border: continuous. About [-1, 1], standard deviation 1/4, 0
+// at lattice points. Error 1e-6.
 float lattice(vec3 cell, vec3 d) {
     vec4 hash;
     vec4 dx, dy, dz;

@@ -1,7 +1,7 @@
 // needs: latticeScale simplexCorners simplexNumbers
-// Simplex noise at a point of a cell: gradients at the four corners of a simplex, under the kernel (1/2 - r^2)^4, which ends where
-// the simplex does: the noise is continuous. About [-1, 1], standard deviation 1/4, 0 at lattice points. Error 1e-6.
-// A clamp to [0, 1] costs a GPU nothing, a maximum with 0 an instruction.
+// Simplex noise at position d in a cell: gradients at a simplex' four corners, kernel (1/2 -
+// r^2)^4, which is 0 at the simplex' border: continuous. About [-1, 1], standard deviation 1/4, 0
+// at lattice points. Error 1e-6. clamp() to [0, 1] is free on GPUs, max() with 0 is not.
 float lattice(vec3 cell, vec3 d) {
     uvec4 hash;
     vec4 dx, dy, dz;

@@ -1,5 +1,5 @@
 // needs:
-// p + rest as a whole cell and a fraction in [0, 1). The cell is known modulo 65536 or exactly: both are exact.
+// Splits p + rest into an integer cell, modulo 65536, and a fraction in [0, 1). Exact.
 void latticeCell(vec3 p, vec3 rest, out vec3 cell, out vec3 d) {
     cell = floor(p);
     d = p - cell + rest;

@@ -1,5 +1,5 @@
 // needs:
-// p + rest as a whole cell, modulo the period, and a fraction in [0, 1).
+// Splits p + rest into an integer cell, modulo 196608, and a fraction in [0, 1).
 void latticeCell(vec3 p, vec3 rest, out vec3 cell, out vec3 d) {
     cell = floor(p);
     d = p - cell + rest;

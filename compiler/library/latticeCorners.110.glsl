@@ -1,6 +1,6 @@
 // needs: latticeAxis latticePermute
-// Hashes in [0, 761) of the eight corners of a cell, lanes as latticeMix takes them.
-// x takes one permutation more than y, so that (x, y) and (y, x) are unrelated.
+// Hashes in [0, 761) of a cell's eight corners, in latticeMix's order. One extra permutation of x
+// makes (x, y) and (y, x) unrelated.
 void latticeCorners(vec3 cell, out vec4 low, out vec4 high) {
     vec3 c = cell - 65536.0 * floor(cell * (1.0 / 65536.0));
     vec4 c0 = latticeAxis(c);

@@ -1,6 +1,6 @@
 // needs: latticePermutation latticeXor
-// GroIMP's hashes P[P[P[i] ^ j] ^ k] of the eight corners of a cell, lanes as latticeMix takes them; 38 look-ups.
-// The wrap to [0, 65536) is exact for every finite cell: its steps only scale by powers of two and drop high digits.
+// GroIMP's hashes P[P[P[i] ^ j] ^ k] of a cell's eight corners, in latticeMix's order; 38 lookups.
+// The wrap to [0, 65536) is exact for every finite cell.
 float latticeStep(float hash, float c) {
     return latticePermutation(latticeXor(hash, c));
 }

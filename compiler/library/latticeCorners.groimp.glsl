@@ -1,6 +1,6 @@
 // needs: latticePermutation
-// GroIMP's hashes P[P[P[i] ^ j] ^ k] of the eight corners of a cell, lanes as latticeMix takes them; 14 look-ups.
-// The wrap to [0, 65536) is exact for every finite cell: its steps only scale by powers of two and drop high digits.
+// GroIMP's hashes P[P[P[i] ^ j] ^ k] of a cell's eight corners, in latticeMix's order; 14 lookups.
+// The wrap to [0, 65536) is exact for every finite cell.
 void latticeCorners(vec3 cell, out ivec4 low, out ivec4 high) {
     ivec3 c0 = ivec3(cell - 65536.0 * floor(cell * (1.0 / 65536.0)));
     ivec3 c1 = (c0 + 1) & 65535;

@@ -1,5 +1,5 @@
 // needs: latticePermute
-// A second, unrelated hash out of a corner's hash.
+// Derives a second, unrelated hash from a corner's hash.
 vec4 latticeNext(vec4 hash) {
     return latticePermute(hash + 17.0);
 }

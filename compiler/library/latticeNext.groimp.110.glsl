@@ -1,5 +1,5 @@
 // needs:
-// GroIMP's next output: the random table from another place on.
+// Index of GroIMP's next output in the random table.
 vec4 latticeNext(vec4 hash) {
     return hash + 8.0;
 }

@@ -1,5 +1,5 @@
 // needs:
-// GroIMP's next output: the random table from another place on.
+// Index of GroIMP's next output in the random table.
 ivec4 latticeNext(ivec4 hash) {
     return hash + 8;
 }

@@ -1,5 +1,6 @@
 // needs: latticeResidue
-// A corner's value and gradient, for the four of a face, times 380.5: affine functions of its hash modulo 761.
+// Values and gradients of a face's four corners, times 380.5: affine functions of the hash modulo
+// 761.
 void latticeNumbers(vec4 hash, out vec4 value, out vec4 x, out vec4 y, out vec4 z) {
     value = hash - 380.0;
     x = latticeResidue(hash * 209.0 + 97.0) - 380.0;

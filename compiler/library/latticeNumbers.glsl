@@ -1,5 +1,6 @@
 // needs:
-// A corner's value and gradient, for the four of a face, times 2^31: its hash shifted left by 0, 7, 14, 21 and read as signed.
+// Values and gradients of a face's four corners, times 2^31: the hash shifted left by 0, 7, 14, 21,
+// read as signed.
 void latticeNumbers(uvec4 hash, out vec4 value, out vec4 x, out vec4 y, out vec4 z) {
     value = vec4(ivec4(hash));
     x = vec4(ivec4(hash << 7u));

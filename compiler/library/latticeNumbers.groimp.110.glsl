@@ -1,5 +1,5 @@
 // needs: latticeRandom
-// A corner's value and gradient, for the four of a face, from GroIMP's random table.
+// Values and gradients of a face's four corners, from GroIMP's random table.
 void latticeNumbers(vec4 hash, out vec4 value, out vec4 x, out vec4 y, out vec4 z) {
     mat4 corner = mat4(latticeRandom(hash.x), latticeRandom(hash.y), latticeRandom(hash.z), latticeRandom(hash.w));
     value = vec4(corner[0].x, corner[1].x, corner[2].x, corner[3].x);

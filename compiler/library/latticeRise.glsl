@@ -1,5 +1,5 @@
 // needs: latticeMix latticeNumbers
-// Gradient and value of the interpolation between eight corners, given by the hashes of both faces; before latticeScale.
+// Gradient (xyz) and value (w) of the interpolation of eight hashed corners, before latticeScale.
 vec4 latticeRise(uvec4 low, uvec4 high, vec3 d) {
     vec4 v0, x0, y0, z0, v1, x1, y1, z1;
     latticeNumbers(low, v0, x0, y0, z0);

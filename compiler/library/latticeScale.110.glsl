@@ -1,3 +1,3 @@
 // needs:
-// A residue modulo 761 less its middle is this much of 1.
+// Scales a centered residue modulo 761 to [-1, 1].
 const float latticeScale = 1.0 / 380.5;

@@ -1,3 +1,3 @@
 // needs:
-// GroIMP's numbers are what they are.
+// GroIMP's table needs no scale.
 const float latticeScale = 1.0;

@@ -1,5 +1,5 @@
 // needs: latticeCorners latticeRise latticeScale
-// Gradient of lattice(cell, d), then its value. Error 2e-6 in each lane.
+// Gradient (xyz) and value (w) of lattice(cell, d). Error 2e-6.
 vec4 latticeSlope(vec3 cell, vec3 d) {
     vec4 low, high;
     latticeCorners(cell, low, high);

@@ -1,5 +1,5 @@
 // needs: latticeScale simplexCorners simplexNumbers
-// Gradient of simplex noise, then its value. Error 5e-6 in each lane.
+// Gradient (xyz) and value (w) of simplex noise. Error 5e-6.
 vec4 latticeSlope(vec3 cell, vec3 d) {
     uvec4 hash;
     vec4 dx, dy, dz;

@@ -1,5 +1,5 @@
 // needs:
-// Exclusive or of whole numbers in [0, 65536), a byte at a time out of a table of 256 x 256 bytes, x ^ y at (x, y).
+// Bitwise xor of integers in [0, 65536), per byte by a 256 x 256 table, x ^ y at (x, y).
 uniform sampler2D matc_xor;
 float latticeXor(float a, float b) {
     vec2 ab = vec2(a, b);

@@ -1,6 +1,6 @@
 // needs: sinc sine3
-// Mean of leopard over a box around p, exact where its axes are independent: (sum of sin)^2 / 9 from the means of sin and sin^2.
-// Error 4.3e-7 where sin and cos have 1e-7.
+// Mean of leopard over a box around p: (sum of sin)^2 / 9 from the means of sin and sin^2, exact
+// for independent axes. Error 4.3e-7 if sin and cos err by 1e-7.
 float leopardFiltered(vec3 p, vec3 edge) {
     vec3 sine = sine3(p);
     vec3 mean = sine * sinc(0.5 * edge);

@@ -1,5 +1,5 @@
 // needs: sinc sine3 cosine3
-// Gradient by p of leopardFiltered, then its value. Error 5e-7 where sin and cos have 1e-7.
+// Gradient by p (xyz) and value (w) of leopardFiltered. Error 5e-7 if sin and cos err by 1e-7.
 vec4 leopardFilteredGradient(vec3 p, vec3 edge) {
     vec3 sine = sine3(p);
     vec3 left = sinc(0.5 * edge);

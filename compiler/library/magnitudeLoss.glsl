@@ -1,5 +1,6 @@
 // needs: noiseStatistics
-// The same of the noise's magnitude, whose creases are finer: q = 1.08 w^2 + 0.19 w^4, and it ends at 1.4 periods.
+// Fraction of an octave of |noise| that the mean over a square loses, see octaveLoss: q = 1.08 w^2
+// + 0.19 w^4; 1 at 1.4 periods.
 float magnitudeLoss(float width) {
     float periods = min(width, 64.0) * noiseGrain;
     float w = periods * periods;

@@ -1,5 +1,5 @@
 // needs: magnitudeLoss
-// How much of an octave of the noise's magnitude is left.
+// Fraction of |noise| that the mean over a square keeps.
 float magnitudeShare(float width) {
     return 1.0 - magnitudeLoss(width);
 }

@@ -1,17 +1,17 @@
-/* Means over boxes, from antiderivatives in double precision. Arguments: the place, the box's
- * edge. */
+/* Means over boxes, computed from antiderivatives in double precision. Arguments: the position,
+ * then the box's edge. */
 #include "compiler/library/reference.h"
 
 typedef double Wave(double v);
 
-static const double NARROW =
-    1e-9; /* edges up to here are none: in double the difference of two integrals has no digits */
+static const double NARROW = 1e-9; /* A narrower box returns the point value: the difference of two
+                                      integrals would cancel. */
 static const double POINT =
-    /* edges up to here are none to a wave that jumps: in GLSL the distance to the jump has no
-     * digits */
+    /* A narrower box over a jump returns the point value: GLSL's distance to the jump has no
+     * digits. */
     1e-6;
 
-/* A wave of period 1 and its antiderivative over [0, 1], from 0. */
+/* A wave of period 1 and its antiderivative over [0, 1], which is 0 at 0. */
 typedef struct {
     Wave *wave, *integral;
 } Periodic;
@@ -46,7 +46,7 @@ static double stripe_mean(double v, double edge)
 {
     double a = v - edge / 2, b = v + edge / 2;
     if (edge <= POINT)
-        return v < .5 ? 1 : -1; /* 1 is what rounding makes of the numbers below it */
+        return v < .5 ? 1 : -1; /* numbers just below 1 round to 1 */
     return (fabs(fraction(a) - .5) - fabs(fraction(b) - .5)) / edge;
 }
 
@@ -80,7 +80,7 @@ static double stripes_along(const double *args, int components)
     return sum;
 }
 
-/* Derivative of the four boxes, one of whose factors changes. */
+/* Derivative of the product over the four boxes: changes one factor at a time. */
 static void stripes_along_rate(const double *args, int components, double *result)
 {
     for (int by = 0; by < components; by++)
@@ -116,7 +116,7 @@ REFERENCE(sincMean)
     result[0] = fabs(h) < 1e-9 ? 1 : sin(h) / h;
 }
 
-/* Waves that jump: a narrow box is the point, as in GLSL. */
+/* Mean of a wave with a jump: a narrow box returns the point value, as in GLSL. */
 static double jump_mean(const Periodic *p, double v, double edge)
 {
     return edge <= POINT ? p->wave(fraction(v)) : box_mean(p, v, edge);
@@ -139,8 +139,8 @@ REFERENCE(scallopMean)
     (void)context, result[0] = box_mean(&(Periodic){scallop, scallop_integral}, args[0], args[1]);
 }
 
-/* The difference of a wave at a box's ends over its edge; of a box that is the point, the slope
- * there. */
+/* Derivative of a box mean: the wave's difference between the box's ends over the edge. A box
+ * narrower than `point` returns the wave's slope. */
 static double end_rate(Wave *wave, Wave *slope, const double *args, double point)
 {
     double t = fraction(args[0]), edge = args[1];
@@ -171,7 +171,8 @@ REFERENCE(scallopRate)
     (void)context, result[0] = end_rate(scallop, scallop_slope, args, NARROW);
 }
 
-/* Arguments: root, then columns and offset, each as three numbers that are added. */
+/* M root + offset. Arguments: root, then three columns and the offset, each as a sum of three
+ * vectors. */
 static double affine(const double *args, int component)
 {
     double sum = 0;

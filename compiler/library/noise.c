@@ -1,11 +1,11 @@
-/* Noise and turbulence, semantics.md 3.1 and 3.2: plain, over a square (Filtered), and their
- * derivatives. Arguments of the latter: p, a rest that is added to it, octaves, frequencyRatio,
- * noiseRatio, the square's edge. */
+/* Noise and turbulence, semantics.md 3.1 and 3.2: point values, means over a square (Filtered),
+ * and gradients. Arguments of the last two: p, a rest that is added to p, octaves,
+ * frequencyRatio, noiseRatio, the square's edge. */
 #include "compiler/library/reference.h"
 
 enum { GRANITE_OCTAVES = 6 };
 
-/* Statistics that replace an octave finer than the square; measured, the numbers of
+/* Measured statistics that replace an octave finer than the square; equal to
  * noiseStatistics.glsl. */
 typedef struct {
     double mean, variance, magnitude, grain;
@@ -30,8 +30,7 @@ static Statistics statistics(const void *context)
     }
 }
 
-/* Noise at (p + rest) times `scale`, and its gradient there, which is 0 where the noise is
- * clamped. */
+/* Noise at (p + rest) times `scale`, and its gradient, which is 0 where the noise is clamped. */
 static double noise_at(const void *context, const double p[3], const double rest[3], double scale,
                        double gradient[3])
 {
@@ -44,8 +43,8 @@ static double noise_at(const void *context, const double p[3], const double rest
     return clamp(value, -1, 1);
 }
 
-/* The part that is lost: a (1 - 1 / (1 + b w^2 + c w^4)), written without a difference of ones for
- * a narrow width. */
+/* Fraction of an octave that the mean over a square loses: a (1 - 1 / (1 + b w^2 + c w^4)),
+ * rewritten so that a narrow width does not cancel. */
 static double lost(const void *context, double width, const double factor[3])
 {
     double w = width * statistics(context).grain, bend = w * w * (factor[1] + factor[2] * w * w);
@@ -64,8 +63,8 @@ static double magnitude_share(const void *context, double width)
     return 1 - lost(context, width, of_magnitude);
 }
 
-/* Variance that is left of an octave, beside its slope, whose mean square over an edge of 1 is
- * `steep` of the variance. */
+/* Residual variance of an octave in the square, less the part that its slope explains. `steep`
+ * is the mean square slope over an edge of 1, relative to the variance. */
 static double left_out(const void *context, double loss, double width, double steep)
 {
     double w = width * statistics(context).grain, share = 1 - loss;
@@ -84,14 +83,14 @@ typedef struct {
     double frequency, strength, width;
 } Octaves;
 
-/* Arguments after p: from `args` on. */
+/* Reads the arguments that follow p, starting at `args`. */
 static Octaves octaves_of(const double *p, const double *rest, const double *args, double width)
 {
     return (Octaves){p,       rest,    whole_between(args[0], 1, REFERENCE_OCTAVES),
                      args[1], args[2], width};
 }
 
-/* Gradient and value. */
+/* Computes the gradient (0 to 2) and the value (3). */
 static void turbulence(const void *context, const Octaves *o, double result[4])
 {
     for (int i = 0; i < 4; i++)
@@ -143,11 +142,11 @@ REFERENCE(turbulenceVariance)
     }
 }
 
-/* The vector and its derivative along a direction. */
+/* Computes the vector and its derivative along `direction`. */
 static void vector_turbulence(const void *context, const Octaves *o, const double direction[3],
                               double value[3], double along[3])
 {
-    const double mean = statistics(context).mean / 2; /* of a component */
+    const double mean = statistics(context).mean / 2; /* per component */
     for (int i = 0; i < 3; i++)
         value[i] = along[i] = 0;
     for (int k = 0; k < o->octaves; k++) {

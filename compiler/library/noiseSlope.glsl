@@ -1,5 +1,5 @@
 // needs: latticeCell latticeSlope
-// Gradient of noise(p + rest), then its value; where the noise is clamped the gradient is 0.
+// Gradient (xyz) and value (w) of noise(p + rest); the gradient is 0 where noise is clamped.
 vec4 noiseSlope(vec3 p, vec3 rest) {
     vec3 cell, d;
     latticeCell(p, rest, cell, d);

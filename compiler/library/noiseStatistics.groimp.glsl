@@ -1,5 +1,6 @@
 // needs:
-// Of noise, measured: its mean and variance, the mean of its magnitude, and how much finer its grain is than that of lattice noise.
+// Measured: mean and variance of noise, mean of |noise|, and its frequency relative to lattice
+// noise.
 const float noiseMean = -0.0206;
 const float noiseVariance = 0.25;
 const float noiseMagnitude = 0.412;

@@ -1,4 +1,4 @@
-/* Encodings of unit normals: the octahedron, the thesis' spheremap. */
+/* Encodings of unit normals: octahedral, and the spheremap of the thesis. */
 #include "compiler/library/normal.h"
 #include "compiler/library/pack.h"
 #include "compiler/library/reference.h"
@@ -68,8 +68,8 @@ void normal_octahedral_decode(const int code[2], int levels, double n[3])
     normal_octahedral_unmap(e, n);
 }
 
-/* For a unit vector the radius |n.xy| / sqrt(8 n.z + 8) is sqrt((1 - n.z) / 8), which keeps its
- * digits below the equator. */
+/* For a unit vector the radius |n.xy| / sqrt(8 n.z + 8) is sqrt((1 - n.z) / 8), which is
+ * accurate below the equator. */
 void normal_spheremap_map(const double n[3], double e[2])
 {
     double x = n[0], y = n[1], z = n[2], length = hypot(x, y);

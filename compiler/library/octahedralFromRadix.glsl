@@ -1,5 +1,5 @@
 // needs: codeFromHalf decodeOctahedral
-// Inverse of octahedralRadix: a unit vector for any value, at most 0.99 degrees from the one that was encoded.
+// Inverse of octahedralRadix: a unit vector for any value. Angular error at most 0.99 degrees.
 vec3 octahedralFromRadix(float value) {
     float code = codeFromHalf(value);
     float y = floor((code + 0.5) * (1.0 / 247.0));

@@ -1,5 +1,5 @@
 // needs:
-// What all octaves add where they are finer than the pixel: the noise's mean is 0.
+// Sum of the octaves' means: 0, because the noise's mean is 0.
 float octaveMean(int count, float noiseRatio) {
     return 0.0;
 }

@@ -1,5 +1,5 @@
 // needs: noiseStatistics
-// What all octaves add where they are finer than the pixel: the noise's mean, as strong as each.
+// Sum of the octaves' means: noiseMean times each octave's amplitude.
 float octaveMean(int count, float noiseRatio) {
     float strength = noiseMean;
     float sum = 0.0;

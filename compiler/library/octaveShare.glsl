@@ -1,5 +1,6 @@
 // needs: octaveLoss
-// How much of an octave of noise is left in the mean over a square of a given edge; 1 for no width.
+// Fraction of a noise octave that remains in the mean over a square of edge `width` (periods); 1
+// for 0.
 float octaveShare(float width) {
     return 1.0 - octaveLoss(width);
 }

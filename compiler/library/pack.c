@@ -1,17 +1,17 @@
-/* Functions that layouts pack with: pairs in a half float, and words of bits. */
+/* Packing functions of layouts: pairs in a half float, and words of bits. */
 #include "compiler/library/pack.h"
 #include "compiler/library/reference.h"
 
-#define HALF_MAX         65504. /* the greatest half float */
+#define HALF_MAX         65504. /* the largest half float */
 #define HALF_MIN         ldexp(1, -14)
 #define HALF_SUBNORMAL   ldexp(1, -24)
 #define FLOAT_MAX        3.4028234e38
-#define PAIR_SCALE       127.5 /* the greatest code is 127 */
+#define PAIR_SCALE       127.5 /* the largest code is 127 */
 #define LOGARITHM_MIN    ldexp(1, -4)
 #define LOGARITHM_SPAN   log2(HALF_MAX / LOGARITHM_MIN)
 #define EXPONENT_BIAS    15
-#define SHARED_BITS      9    /* of a component, at most */
-#define EXPONENTS_OF_ONE 1024 /* half floats of an exponent */
+#define SHARED_BITS      9    /* max bits of a component */
+#define EXPONENTS_OF_ONE 1024 /* half floats per exponent */
 
 double pack_half_from_code(int code)
 {
@@ -100,7 +100,7 @@ REFERENCE(halfBits)
     result[0] = pack_half_bits(args[0]);
 }
 
-/* The pattern of the float nearest to the argument. */
+/* The bit pattern of the float nearest to the argument. */
 REFERENCE(floatBits)
 {
     (void)context;

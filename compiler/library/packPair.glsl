@@ -1,7 +1,7 @@
 // needs:
-// Two numbers in [0, 1], cut to seven bits each, in one number of [1, 65504] that a half float holds exactly: x gives the
-// exponent and the first three bits of the mantissa, y the other seven. The power of two is exact: exp2 errs by at most 33 ulp
-// of 32768, an eighth, before it is rounded to a whole number.
+// Packs two numbers in [0, 1], truncated to 7 bits, into a number in [1, 65504] that is exact in a
+// half float: x sets the exponent and 3 mantissa bits, y the other 7. floor() makes the power of
+// two exact: exp2 errs by at most 33 ULP of 32768, or 1/8.
 float packPair(vec2 v) {
     vec2 q = floor(127.5 * clamp(v, 0.0, 1.0));
     float exponent = floor(q.x * 0.125);

@@ -1,10 +1,10 @@
-/* Derivatives and means over a box of the closed-form volume maps. */
+/* Gradients and box means of the closed-form volume maps. */
 #include "compiler/library/reference.h"
 
 static double sinc(double x) { return fabs(x) < 1e-9 ? 1 : sin(x) / x; }
 
-/* E (sum of sin)^2 = (sum of means)^2 + sum of variances, the three axes being independent over a
- * box. */
+/* Mean of (sum of sin)^2 = (sum of means)^2 + sum of variances, as the axes are independent over
+ * a box. */
 static double leopard_mean(const double *args, double *sum)
 {
     double variance = 0;
@@ -14,7 +14,7 @@ static double leopard_mean(const double *args, double *sum)
         *sum += mean;
         variance += .5 - .5 * cos(2 * args[i]) * sinc(args[3 + i]) - mean * mean;
     }
-    return fmax(*sum * *sum + variance, 0) / 9; /* less is rounding */
+    return fmax(*sum * *sum + variance, 0) / 9; /* max(): rounding may give less than 0 */
 }
 
 REFERENCE(leopardFiltered)
@@ -24,7 +24,7 @@ REFERENCE(leopardFiltered)
     result[0] = leopard_mean(args, &sum);
 }
 
-/* By x: 2 sum mean' - 2 mean mean' + sin(2 x) sinc(edge), all over 9. */
+/* By x: (2 sum mean' - 2 mean mean' + sin(2 x) sinc(edge)) / 9. */
 REFERENCE(leopardFilteredGradient)
 {
     double sum;

@@ -1,6 +1,7 @@
 // needs: perlinHash
-// What Perlin's noise rises along at a corner of a cell, times 0.9820 or 0.6616, by which values lie in about [-1, 1]: to the middle of one of the
-// twelve edges of a cube, four of which count twice; of two dimensions (+-1, +-2) or (+-2, +-1). Exact but for the factor's rounding.
+// Gradient of Perlin noise at a corner, times 0.9820 (3D) or 0.6616 (2D) so that the noise is in
+// about [-1, 1]: the middle of one of a cube's 12 edges (four count twice), in 2D (+-1, +-2) or
+// (+-2, +-1). Exact but for the factor's rounding.
 vec3 perlinDirection(vec3 corner, int dimensions) {
     float h = perlinHash(corner, dimensions);
     float pairs = floor(h * 0.5);

@@ -1,5 +1,5 @@
 // needs: perlinOctaveGradient
-// Gradient by p of perlin, then its value. Error 6e-6 of the sum of |diminish lacunarity|^k.
+// Gradient by p (xyz) and value (w) of perlin. Error 6e-6 of the sum of |diminish lacunarity|^k.
 vec4 perlinGradient(vec3 p, int octaves, float lacunarity, float diminish, int dimensions) {
     vec3 q = clamp(p, -16777216.0, 16777216.0);
     float strength = 1.0;

@@ -1,6 +1,7 @@
 // needs:
-// The same without whole numbers: 32 bits are two halves in floats, (high, low). A step is (c ^ b) - (b turned to the left), where `turned` is b, of
-// halves that change places from 16 bits on, and `scale` two to the power of the rest: all powers of two and whole numbers below 2^24, hence exact.
+// Float version of perlinHash for GLSL without integers: 32 bits as (high, low) halves. A step is
+// (c ^ b) - rotate_left(b): `turned` is b, its halves swapped from 16 bits on, `scale` the
+// remaining power of two. All integers stay below 2^24, hence exact.
 vec2 perlinHashStep(vec2 c, vec2 b, vec2 turned, float scale) {
     vec2 bits = vec2(0.0);
     float bit = 1.0;

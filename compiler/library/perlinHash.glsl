@@ -1,6 +1,6 @@
 // needs:
-// Low four bits of Jenkins' hash of `count` whole numbers, 2 or 3, |cell| <= 2^24: the final mix of his lookup3, begun at 0xDEADBEEF + 4 count + 13,
-// as OSL and MaterialX have it. Of two, cell.z is 0. Exact.
+// Low four bits of Jenkins' hash of `count` (2 or 3) integers, |cell| <= 2^24: lookup3's final mix,
+// seeded with 0xDEADBEEF + 4 count + 13 as in OSL and MaterialX. For count 2, cell.z is 0. Exact.
 uint perlinHashTurned(uint bits, int by) {
     return (bits << by) | (bits >> (32 - by));
 }

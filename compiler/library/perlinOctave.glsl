@@ -1,6 +1,7 @@
 // needs: perlinDirection
-// Perlin's noise of 2002 of p, or of x and y alone, by the hash that OSL and MaterialX have: between the corners of a cell, what rises from 0 at each
-// of them, mixed by 6 t^5 - 15 t^4 + 10 t^3. Coordinates are cut at 2^24, where floats have no fractions and the noise is 0. Error 1e-6.
+// Perlin's improved noise (2002) in 2D or 3D, with the hash of OSL and MaterialX and the fade 6t^5
+// - 15t^4 + 10t^3. Coordinates are clamped to 2^24, where floats have no fraction and the noise is
+// 0. Error 1e-6.
 float perlinOctave(vec3 p, int dimensions) {
     vec3 q = clamp(p, -16777216.0, 16777216.0) * vec3(1.0, 1.0, dimensions < 3 ? 0.0 : 1.0);
     vec3 cell = floor(q);

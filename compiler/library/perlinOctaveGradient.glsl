@@ -1,5 +1,5 @@
 // needs: perlinDirection
-// Gradient by p of perlinOctave, then its value. Error 4e-6.
+// Gradient by p (xyz) and value (w) of perlinOctave. Error 4e-6.
 vec4 perlinOctaveGradient(vec3 p, int dimensions) {
     vec3 q = clamp(p, -16777216.0, 16777216.0) * vec3(1.0, 1.0, dimensions < 3 ? 0.0 : 1.0);
     vec3 cell = floor(q);

@@ -1,5 +1,6 @@
 // needs: splitHigh
-// x^n for n >= 1 by repeated squaring, each product with the rounding error that it leaves: within 1 ULP while the result is finite.
+// x^n for n >= 1 by repeated squaring of (value, rounding error): within 1 ULP while the result is
+// finite.
 vec2 powerProduct(vec2 a, vec2 b) {
     float product = a.x * b.x;
     vec3 high = splitHigh(vec3(a.x, b.x, 0.0));

@@ -1,6 +1,6 @@
 // needs:
-// Mean of 2 fract(v) - 1 over a box. Below an edge of 1/2 from the distance to the jump, which does not cancel, above from the
-// antiderivative: error 2e-7. A box of at most 1e-6 is the point.
+// Box-filtered ramp 2 fract(v) - 1. For edge < 1/2 from the distance to the jump, without
+// cancellation, else from the antiderivative. Error 2e-7. An edge <= 1e-6 gives the point value.
 float rampMean(float v, float edge) {
     float t = fract(v);
     float distance = v - floor(v + 0.5); // fract() rounds just below a whole number

@@ -1,6 +1,7 @@
 // needs:
-// Derivative of rampMean by v: 2, and below an edge of 1/2 the jump over the edge if the box holds it; above the difference of the
-// wave at the box's ends over its edge. A box of at most 1e-6 is the point. Error 2.4e-7 to max(1, |rate|).
+// Derivative of rampMean by v: for edge < 1/2, 2 minus the jump over the edge if the box has the
+// jump; else the wave's difference between the box's ends over the edge. An edge <= 1e-6 gives the
+// point's derivative. Error 2.4e-7 max(1, |rate|).
 float rampRate(float v, float edge) {
     float t = fract(v);
     float distance = abs(v - floor(v + 0.5));

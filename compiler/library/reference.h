@@ -1,9 +1,8 @@
-/* The C references of the library functions: double precision, written from the mathematics, not
- * from the GLSL. They are the oracle of the tests, the constant folder and `matc --eval`. A
- * reference is
+/* C references of the library functions in double precision, written from the mathematics, not
+ * from the GLSL. The tests, the constant folder and `matc --eval` use them as oracle. Example:
  *     REFERENCE(wood) { result[0] = hypot(args[0], args[1]); }
- * args: the function's arguments one after the other, a vector as its components, a sampler as an
- * index into context->textures. */
+ * args: the function's arguments in order, a vector as its components, a sampler as an index
+ * into context->textures. */
 #ifndef MATC_REFERENCE_H
 #define MATC_REFERENCE_H
 #include <math.h>
@@ -15,8 +14,8 @@
 #define M_LN10 2.30258509299404568402
 #endif
 
-/* Texels beyond the edges of a texture: repeated; mirrored, then repeated; the texel at the edge; 0
- * in all components. */
+/* Texels outside a texture: repeated; mirrored, then repeated; the edge texel; 0 in all
+ * components. */
 typedef enum {
     REFERENCE_REPEAT,
     REFERENCE_MIRROR,
@@ -24,30 +23,29 @@ typedef enum {
     REFERENCE_BORDER
 } ReferenceWrap;
 
-/* A texture as the reference sees it. Row 0 is the bottom row, v = 0. */
+/* A texture that references sample. Row 0 is the bottom row, v = 0. */
 typedef struct {
     int width, height;
     int components; /* 1 or 4 */
-    /* components a texel, a byte over 255 is the value; NULL when floats are set */
+    /* `lanes` components per texel; value = byte / 255; NULL if floats are set */
     const uint8_t *bytes;
     const float *floats;
-    const uint16_t *words; /* a word over 65535 is the value; NULL when bytes or floats are set */
-    bool srgb;             /* the first three components are decoded */
-    ReferenceWrap wrap;    /* what stands beyond the edges */
+    const uint16_t *words; /* value = word / 65535; NULL if bytes or floats are set */
+    bool srgb;             /* the first three components are sRGB-encoded */
+    ReferenceWrap wrap;    /* texels outside the texture */
     bool
-        /* of a program: the wrap is its sampler's, and what fetches texels repeats them; else it is
-         * every function's */
+        /* The wrap is the sampler's, and texel fetches repeat; otherwise every function wraps. */
         sampler_wraps;
 } ReferenceTexture;
 
-/* Which lattice noise stands below every noise-like function. */
+/* The lattice noise on which every noise-like function is built. */
 typedef enum {
     REFERENCE_LATTICE,       /* integer hash: glsl330 and up, essl300 */
     REFERENCE_LATTICE_FLOAT, /* float hash: glsl110 */
     REFERENCE_GROIMP,        /* GroIMP's tables */
     REFERENCE_SIMPLEX,       /* simplex lattice, integer hash */
-    REFERENCE_SIMPLEX_FLOAT, /* the same with the float hash */
-    /* GroIMP's tables for glsl110, where what has no table has a float hash */
+    REFERENCE_SIMPLEX_FLOAT, /* simplex lattice, float hash */
+    /* GroIMP's tables for glsl110; functions without a table use the float hash */
     REFERENCE_GROIMP_FLOAT,
     REFERENCE_NOISE_COUNT
 } ReferenceNoise;
@@ -64,35 +62,35 @@ static inline double clamp(double v, double low, double high)
 {
     return v < low ? low : v > high ? high : v;
 }
-/* The whole number towards 0, taken to [low, high]; low for what is no number. Text of the IR may
- * have any number as a count. */
+/* Truncates v toward 0 and clamps it to [low, high]; NaN gives low. IR text may have any number
+ * as a count. */
 static inline int whole_between(double v, int low, int high)
 {
     return !(v >= low) ? low : v > high ? high : (int)v;
 }
 static inline double fraction(double v) { return v - floor(v); }
 
-/* Limits of the waves: exp stays below the greatest float, log above the least normal one. Limits
- * of counts: beyond what any document has. */
+/* Argument limits of the waves: exp stays below the largest float, log above the smallest normal
+ * float. Limits of counts exceed any document's. */
 #define WAVE_EXP_LIMIT  88.0
 #define WAVE_EXP2_LIMIT 127.0
-/* no float has such a tangent; a cosine that a GPU makes of one may be 0, though */
+/* no float has a larger tangent; a GPU's cosine of a float may be 0, though */
 #define TAN_LIMIT         1e18
 #define WAVE_LEAST        1.17549435e-38
-#define REFERENCE_BITS    16 /* of one code, at most */
+#define REFERENCE_BITS    16 /* max bits of a code */
 #define REFERENCE_OCTAVES 64
 #define REFERENCE_STEPS   65536
 #define WAVE_PHI          1.61803398874989484820
 
-/* L_0 of semantics.md 3.1 with table offset 0 and its gradient (or NULL), and (L_0, L_8, L_16):
- * value-plus-gradient lattice noise. */
+/* Value-plus-gradient lattice noise: L_0 of semantics.md 3.1 with table offset 0 and its
+ * gradient (slope may be NULL), and (L_0, L_8, L_16). */
 double reference_lattice(ReferenceNoise noise, const double p[3], double slope[3]);
 void reference_lattice3(ReferenceNoise noise, const double p[3], double result[3]);
-/* The three outputs and the gradient of each. */
+/* The three outputs and the gradient of each output. */
 void reference_lattice_slope(ReferenceNoise noise, const double p[3], double result[3],
                              double slope[3][3]);
-/* GroIMP's tables: permutation of 0..65535 and 512 numbers in [-1, 1). Built once, on first use, by
- * any thread. */
+/* GroIMP's tables: a permutation of 0..65535 and 512 numbers in [-1, 1). Built on first use;
+ * safe for threads. */
 const uint16_t *reference_permutation(void);
 const float *reference_random_table(void);
 #endif

@@ -1,4 +1,4 @@
-/* The references of grammar/functions.def and of the volume maps in maps.def. */
+/* The references of the functions in grammar/functions.def and of the volume maps in maps.def. */
 #include "compiler/library/references.h"
 #include "grammar/tables.h"
 #include <stddef.h>

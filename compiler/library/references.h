@@ -1,10 +1,10 @@
-/* Which C function computes what a GLSL function computes. */
+/* The C reference of each GLSL function. */
 #ifndef MATC_REFERENCES_H
 #define MATC_REFERENCES_H
 
-/* Arguments are all components in a row, in double; the context is a ReferenceContext
- * (reference.h). */
+/* args: all components in order, in double; context: a ReferenceContext (reference.h). */
 typedef void (*Reference)(const void *context, const double *args, double *result);
-/* By a Function or FN_FIRST_MAP + Kind (grammar/tables.h). NULL: it has none. */
+/* Index: a Function, or FN_FIRST_MAP + Kind (grammar/tables.h). NULL if the function has no
+ * reference. */
 Reference reference_of(int function);
 #endif

@@ -1,5 +1,5 @@
 // needs: texel
-// Derivative of carpenterRelief(s, uv, size) along a direction of uv: within a square of texels it is exact.
+// Derivative of carpenterRelief(s, uv, size) along a direction in uv. Exact between texels.
 float reliefAlong(sampler2D s, vec2 uv, vec2 size, vec2 direction) {
     vec2 side = 1.0 - 2.0 * vec2(lessThan(uv, vec2(0.0)));
     vec2 at = fract(abs(uv)) * size;

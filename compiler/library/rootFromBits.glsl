@@ -1,5 +1,5 @@
 // needs: unormFromBits
-// Inverse of rootBits, in [0, 1], at most 1 / (2^bits - 1) from what was packed.
+// Inverse of rootBits, in [0, 1]. Error at most 1 / (2^bits - 1).
 float rootFromBits(uint code, int bits) {
     float root = unormFromBits(code, bits);
     return root * root;

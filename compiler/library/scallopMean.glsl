@@ -1,6 +1,7 @@
 // needs: cosinePi sincMean sinePi
-// Mean of 2 |sin(pi v)| - 1 over a box. Below an edge of 1/2 that of the sine and, of the part `over` that reaches across the cusp,
-// twice the sine; above from the antiderivative. Neither cancels: error 1.2e-6. A box without an edge is the point.
+// Box-filtered 2 |sin(pi v)| - 1. For edge < 1/2: the sine's mean plus twice the sine over the part
+// `over` beyond the cusp; else from the antiderivative. No cancellation; error 1.2e-6. Edge 0 gives
+// the point value.
 float scallopMean(float v, float edge) {
     float t = fract(v);
     float over = max(0.5 * edge - min(t, 1.0 - t), 0.0);

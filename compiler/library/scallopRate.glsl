@@ -1,6 +1,6 @@
 // needs: cosinePi sincMean sinePi
-// Derivative of scallopMean by v: below an edge of 1/2 that of its terms, above the difference of the wave at the box's ends over
-// its edge. Error 7e-6, of a sine near pi over a narrow edge.
+// Derivative of scallopMean by v: of its terms for edge < 1/2, else the wave's difference between
+// the box's ends over the edge. Error 7e-6 (a sine near pi over a narrow edge).
 float scallopRate(float v, float edge) {
     float t = fract(v);
     float over = max(0.5 * edge - min(t, 1.0 - t), 0.0);

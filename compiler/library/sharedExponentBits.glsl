@@ -1,7 +1,8 @@
 // needs:
-// Three numbers >= 0 with one exponent: mantissas m of `bits` bits, 4 to 9, and above them an exponent e of 5:
-// v = m 2^(e - 15 - bits), at most 65536 (1 - 2^-bits). With 9 bits that is the texture format RGB9E5. The exponent is read from
-// the float's own, so that no logarithm errs; where a mantissa is rounded up to 2^bits, the next exponent is taken.
+// Packs three numbers >= 0 with a shared exponent: mantissas m of `bits` bits (4 to 9), then a
+// 5-bit exponent e: v = m 2^(e - 15 - bits), at most 65536 (1 - 2^-bits). 9 bits are the format
+// RGB9E5. The float's own exponent is used, so no logarithm errs. A mantissa that rounds to 2^bits
+// uses the next exponent.
 uint sharedExponentBits(vec3 v, int bits) {
     float steps = float(1 << bits);
     vec3 c = clamp(v, 0.0, 65536.0 - 65536.0 / steps);

@@ -1,8 +1,9 @@
 // needs: latticeAxis latticePermute
-// The simplex around a point of a cell: hashes in [0, 761) of its four corners, and the offsets of the point from each. The first
-// corner is on the skewed lattice, modulo 65536; the second and third are steps along the axes of the largest and of the two
-// largest offsets (equal ones in the order of the axes), the fourth is a step along every axis. The sum of the cell is divided by
-// 3 exactly, so that the place is as accurate far away as it is near; period 196608 an axis.
+// Finds the simplex around a point of a cell: hashes in [0, 761) of its corners, and the point's
+// offsets from them. Corner 1 is on the skewed lattice, modulo 65536; corners 2 and 3 are steps
+// along the axes of the largest and the two largest offsets (ties in axis order); corner 4 is a
+// step along every axis. The cell's sum is divided by 3 exactly, so precision does not fall far
+// from the origin. Period 196608 per axis.
 void simplexCorners(vec3 cell, vec3 d, out vec4 hash, out vec4 dx, out vec4 dy, out vec4 dz) {
     cell -= 196608.0 * floor(cell * (1.0 / 196608.0));
     float sum = cell.x + cell.y + cell.z;

@@ -1,9 +1,10 @@
 // needs:
-// The simplex around a point of a cell: hashes of its four corners, and the offsets of the point from each. The first corner is on the
-// skewed lattice; the second and third are steps along the axes of the largest and of the two largest offsets (equal ones in the
-// order of the axes), the fourth is a step along every axis. The sum of the cell is divided by 3 exactly, so that the place is as
-// accurate far away as it is near. Period 65536 of a corner's coordinates: no more of them than their low halves counts. A hash is the
-// xor of three products; corners have two of an axis between them, which are chosen from and not computed again.
+// Finds the simplex around a point of a cell: hashes of its corners, and the point's offsets from
+// them. Corner 1 is on the skewed lattice; corners 2 and 3 are steps along the axes of the largest
+// and the two largest offsets (ties in axis order); corner 4 is a step along every axis. The cell's
+// sum is divided by 3 exactly, so precision does not fall far from the origin. Corners have a
+// period of 65536. A hash is the xor of three products; each axis needs only two, computed once and
+// selected.
 void simplexCorners(vec3 cell, vec3 d, out uvec4 hash, out vec4 dx, out vec4 dy, out vec4 dz) {
     cell -= 196608.0 * floor(cell * (1.0 / 196608.0));
     float sum = cell.x + cell.y + cell.z;

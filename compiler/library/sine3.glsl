@@ -1,5 +1,5 @@
 // needs:
-// Sine by lane. As accurate as the sine.
+// Component-wise sine. Error of sin().
 vec3 sine3(vec3 x) {
     return sin(x);
 }

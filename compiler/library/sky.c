@@ -1,12 +1,13 @@
-/* Preetham's sky, semantics.md 4.5, and what it scales by.
+/* Preetham's sky, semantics.md 4.5, and its normalization.
  *
- * The source says "total irradiance of sky + sun" and no more. Taken here: on the horizontal plane,
- * mean of linear red, green and blue, at radiance factor 1 (or else the factor would cancel); the
- * sky's radiance integrated over the upper half space with the cosine, plus the sun's disc of 32
- * arc minutes through Preetham's attenuations by Rayleigh scattering, aerosol, ozone and water
- * vapour; the mixed gases absorb only above 759 nm, beyond the sun's spectrum here. The tables are
- * those of the paper's appendix; published programs carry the same numbers. The colour matching
- * functions are the sums of Gaussians of Wyman, Sloan and Shirley (2013), a fit to CIE 1931. */
+ * The paper says only "total irradiance of sky + sun". The interpretation here: irradiance of
+ * the horizontal plane, averaged over linear red, green and blue, at radiance factor 1
+ * (otherwise the factor would cancel). It is the sky's radiance integrated over the upper
+ * hemisphere with the cosine, plus the sun's disc of 32 arc minutes attenuated as in the paper
+ * by Rayleigh scattering, aerosol, ozone and water vapor. The mixed gases absorb only above 759
+ * nm, outside the spectrum used here. The tables are those of the paper's appendix; published
+ * programs use the same numbers. The color matching functions are the sums of Gaussians of
+ * Wyman, Sloan and Shirley (2013), a fit to CIE 1931. */
 #include "compiler/library/sky.h"
 #include "compiler/library/reference.h"
 
@@ -20,10 +21,10 @@ enum {
     SUN, /* rows of the coefficients */
     SKY_ROWS,
     SLOPES = 32,   /* steps of the integral in cos(angle to the zenith) */
-    AZIMUTHS = 32, /* and over half the circle, the other being its mirror image */
+    AZIMUTHS = 32, /* over half the circle; the other half is symmetric */
     FIRST_NM = 380,
     LAST_NM = 750,
-    STEP_NM = 10 /* of the sun's spectrum */
+    STEP_NM = 10 /* samples of the sun's spectrum */
 };
 #define MIN_TURBIDITY       1.7
 #define GREATEST_TURBIDITY  64.
@@ -34,21 +35,21 @@ enum {
 #define DEGREE              (M_PI / 180)
 #define SUN_RADIUS          (16. / 60 * DEGREE)
 
-/* A quantity known at some wavelengths (nm), linear between them, 0 outside. */
+/* A quantity sampled at wavelengths (nm), linear between samples, 0 outside. */
 typedef struct {
     int count;
     const double (*points)[2];
 } Curve;
 #define CURVE(points) ((Curve){(int)(sizeof(points) / sizeof *(points)), points})
 
-/* The sun's radiance above the atmosphere, W/(cm2 um sr), from FIRST_NM on. */
+/* The sun's radiance above the atmosphere, W/(cm2 um sr), starting at FIRST_NM. */
 static const double solar[] = {
     165.5, 162.3, 211.2, 258.8, 258.2, 242.3, 267.6, 296.6, 305.4, 300.6, 306.6, 288.3, 287.1,
     278.2, 271.0, 272.3, 263.6, 255.0, 250.6, 253.1, 253.5, 251.3, 246.3, 241.7, 236.8, 232.1,
     228.2, 223.4, 219.7, 215.3, 211.0, 207.3, 202.4, 198.7, 194.3, 190.7, 186.3, 182.6,
 };
 #define SOLAR_UNIT 100. /* to W/(m2 nm sr) */
-/* Absorption, 1/cm, of ozone. */
+/* Absorption coefficient of ozone, 1/cm. */
 static const double ozone[][2] = {
     {355, 0},    {445, .003}, {450, .003}, {455, .004}, {460, .006}, {465, .008}, {470, .009},
     {475, .012}, {480, .014}, {485, .017}, {490, .021}, {495, .025}, {500, .03},  {505, .035},
@@ -58,8 +59,8 @@ static const double ozone[][2] = {
     {620, .105}, {630, .09},  {640, .079}, {650, .067}, {660, .057}, {670, .048}, {680, .036},
     {690, .028}, {700, .023}, {710, .018}, {720, .014}, {730, .011}, {740, .01},  {750, .009},
 };
-/* Absorption, 1/cm, of water vapour. The band of the mixed gases, 759 to 771 nm, lies outside the
- * sun's spectrum above. */
+/* Absorption coefficient of water vapor, 1/cm. The band of the mixed gases, 759 to 771 nm, is
+ * outside the spectrum above. */
 static const double water[][2] = {
     {689, 0}, {690, .016}, {700, .024}, {710, .0125},
     {720, 1}, {730, .87},  {740, .061}, {750, .001},
@@ -75,7 +76,7 @@ static double curve_at(Curve curve, double nm)
     return 0;
 }
 
-/* A Gaussian with another width on each side of its peak. */
+/* A Gaussian with different widths below and above its peak. */
 static double lobe(double nm, double peak, double below, double above)
 {
     double t = (nm - peak) / (nm < peak ? below : above);
@@ -90,7 +91,8 @@ static void color_matching(double nm, double xyz[3])
     xyz[2] = 1.217 * lobe(nm, 437, 11.8, 36) + .681 * lobe(nm, 459, 26, 13.8);
 }
 
-/* Linear sRGB; a colour outside its gamut is moved toward white until no component is below 0. */
+/* Converts to linear sRGB; a color outside the gamut is moved toward white until no component is
+ * below 0. */
 static void rgb_of_xyz(const double xyz[3], double rgb[3])
 {
     static const double matrix[3][3] = {{3.2404542, -1.5371385, -.4985314},
@@ -105,7 +107,7 @@ static void rgb_of_xyz(const double xyz[3], double rgb[3])
 
 static double mean(const double rgb[3]) { return (rgb[0] + rgb[1] + rgb[2]) / 3; }
 
-/* The share of the sun's light that comes through air of relative mass m. */
+/* Transmittance of sunlight through air of relative optical mass m. */
 static double transmittance(double nm, double m, double turbidity)
 {
     const double ozone_depth = .35, water_depth = 2; /* cm */
@@ -117,7 +119,7 @@ static double transmittance(double nm, double m, double turbidity)
     return exp(-depth);
 }
 
-/* Irradiance of a plane that faces the sun's disc; 0 when it has set. */
+/* Irradiance of a plane that faces the sun's disc; 0 after sunset. */
 static void sun_irradiance(double slope, double turbidity, double rgb[3])
 {
     rgb[0] = rgb[1] = rgb[2] = 0;
@@ -137,7 +139,7 @@ static void sun_irradiance(double slope, double turbidity, double rgb[3])
         rgb[component] *= 2 * M_PI * (1 - cos(SUN_RADIUS));
 }
 
-/* Perez' function of one component, of the cosine of the angle to the zenith and the angle to the
+/* Perez' function of one component, given the cosine of the zenith angle and the angle to the
  * sun. */
 static double perez(double rows[SKY_ROWS][3], int component, double slope, double angle)
 {
@@ -152,7 +154,7 @@ static double dot(const double a[3], const double b[3])
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* Unit vector of a vector of any length; (0, 0, 1) for zero. */
+/* Normalizes a vector of any length; (0, 0, 1) for zero. */
 static void unit(const double v[3], double result[3])
 {
     double greatest = fmax(fmax(fabs(v[0]), fabs(v[1])), fabs(v[2]));
@@ -188,8 +190,8 @@ static void radiance(double rows[SKY_ROWS][3], const double direction[3], double
     rgb_of_xyz(xyz, rgb);
 }
 
-/* Irradiance of the horizontal plane by the sky: midpoint rule, over the half of the circle on one
- * side of the sun. */
+/* Irradiance of the horizontal plane by the sky: midpoint rule over the half circle on one side
+ * of the sun. */
 static double sky_irradiance(double rows[SKY_ROWS][3])
 {
     double sum = 0, start = atan2(rows[SUN][1], rows[SUN][0]);
@@ -205,7 +207,7 @@ static double sky_irradiance(double rows[SKY_ROWS][3])
     return sum * 2 * M_PI / (SLOPES * AZIMUTHS);
 }
 
-/* Luminance (kcd/m2) and chromaticity of the zenith, for the sun at an angle s from it. */
+/* Luminance (kcd/m2) and chromaticity of the zenith, for a sun at zenith angle s. */
 static void zenith(double turbidity, double s, double result[3])
 {
     double t = turbidity, chi = (4. / 9 - t / 120) * (M_PI - 2 * s);
@@ -218,7 +220,7 @@ static void zenith(double turbidity, double s, double result[3])
                 ((.15346 * s - .26756) * s + .06669) * s + .26688;
 }
 
-/* As sky_coefficients, but for the scale. */
+/* Computes the rows of sky_coefficients without the scale. */
 static void make_rows(const double sun[3], double t, double out[SKY_ROWS][3])
 {
     /* [row][component]: slope by turbidity, value at turbidity 0 */
@@ -272,7 +274,7 @@ REFERENCE(skyRadiance)
 {
     double rows[SKY_ROWS][3];
     (void)context;
-    /* The function takes the sun before the coefficients, the rows have it last. */
+    /* The function's arguments have the sun first, the rows have it last. */
     for (int component = 0; component < 3; component++) {
         rows[SUN][component] = args[3 + component];
         for (int row = ZENITH; row <= E; row++)

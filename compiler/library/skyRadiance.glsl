@@ -1,8 +1,9 @@
 // needs: safeNormalize skyAngle
-// Preetham's sky along a direction of any length, z up: linear sRGB, no component below 0, black below the horizon.
-// Luminance Y and chromaticity x, y are the lanes of the arguments, all from sky_coefficients (lib/sky.h): zenithOverF0 is the
-// zenith's value over F(0, angle of the sun), Y in W/(m2 sr) times the scale wanted; A to E are the coefficients of Perez' F;
-// sun is a unit vector. Relative error 8e-6.
+// Preetham's sky in a direction of any length, z up: linear sRGB, no component below 0, black below
+// the horizon. The arguments' components are luminance Y and chromaticity x, y, from
+// sky_coefficients (lib/sky.h): zenithOverF0 is the zenith's value over F(0, sun angle), Y in W/(m2
+// sr) times the desired scale; A to E are Perez' coefficients of F; sun is a unit vector. Relative
+// error 8e-6.
 vec3 skyRadiance(vec3 direction, vec3 sun, vec3 zenithOverF0, vec3 A, vec3 B, vec3 C, vec3 D, vec3 E) {
     vec3 view = safeNormalize(direction);
     if (view.z < 0.0) return vec3(0.0);

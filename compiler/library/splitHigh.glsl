@@ -1,5 +1,5 @@
 // needs:
-// The upper 12 bits of each number's mantissa: a product of two such numbers is exact.
+// The upper 12 bits of each mantissa: products of two are exact.
 vec3 splitHigh(vec3 x) {
     return uintBitsToFloat(floatBitsToUint(x) & 0xFFFFF000u);
 }

@@ -1,5 +1,5 @@
-/* IEC 61966-2-1, with the constants that it publishes: a straight line near black, a power of 2.4
- * above. */
+/* The sRGB transfer function, IEC 61966-2-1, with its published constants: linear near black, a
+ * power of 2.4 above. */
 #include "compiler/library/srgb.h"
 #include <math.h>
 

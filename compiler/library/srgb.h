@@ -1,7 +1,7 @@
-/* The transfer function of sRGB, IEC 61966-2-1. */
+/* The sRGB transfer function, IEC 61966-2-1. */
 #ifndef MATC_SRGB_H
 #define MATC_SRGB_H
 
-/* Linear light of an encoded value: 0 is 0, 1 is 1, 128 / 255 is 0.21586. */
+/* Decodes to linear light: 0 is 0, 1 is 1, 128 / 255 is 0.21586. */
 double srgb_decode(double encoded);
 #endif

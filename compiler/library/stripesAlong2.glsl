@@ -1,6 +1,6 @@
 // needs: stripesNear2
-// Mean of the product of the lanes' stripes over four boxes side by side along a direction; q in [0, 1], the boxes' edges by lane.
-// A lane whose box is below 1/1024 is the same for all four. Error 1e-4 where a box is near that, else 1e-6.
+// Mean of the product of the components' stripes over four adjacent boxes along a direction; q in
+// [0, 1]. Components with edge < 1/1024 are evaluated once. Error 1e-4 near that edge, else 1e-6.
 float stripesAlong2(vec2 q, vec2 along, vec2 edges) {
     vec2 narrow = step(edges, vec2(1.0 / 1024.0));
     vec2 near = stripesNear2(q, min(edges, 1.0 / 1024.0));

@@ -1,6 +1,6 @@
 // needs: stripes3 stripesRate3
-// Gradient of stripesAlong3 by q: of each of the four boxes, the rate of one lane by the means of the others.
-// Error 1e-6 of it, of 1 at least.
+// Gradient of stripesAlong3 by q: the product rule in each of the four boxes. Error 1e-6 max(1,
+// |gradient|).
 vec3 stripesAlongRate3(vec3 q, vec3 along, vec3 edges) {
     vec3 sum = vec3(0.0);
     for (float at = -0.375; at < 0.5; at += 0.25) {

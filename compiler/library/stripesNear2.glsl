@@ -1,7 +1,7 @@
 // needs:
-// Mean over boxes below 1/2 of waves that are 1 for q in [0, 1/2) and -1 in [1/2, 1), period 1; q in [0, 1]. From the distance to the
-// nearest edge, which does not cancel: error 1e-7 at any width. A box of at most 1e-6 is the point, which at an edge belongs to the
-// upper side.
+// Box-filtered square waves for edge < 1/2, component-wise: 1 for q in [0, 1/2), -1 in [1/2, 1); q
+// in [0, 1]. From the distance to the nearest transition, without cancellation: error 1e-7 at any
+// width. An edge <= 1e-6 gives the point value; a transition belongs to its upper side.
 vec2 stripesNear2(vec2 q, vec2 edges) {
     vec2 side = 1.0 - 2.0 * step(0.5, q);
     vec2 distance = min(min(q, 1.0 - q), abs(q - 0.5));

@@ -1,6 +1,6 @@
 // needs:
-// Derivative of stripes3 by q: the difference of the waves at a box's ends over its edge; of a box below 1/2 the edge that it holds,
-// if any. A box of at most 1e-6 is the point: 0. Relative error 1.2e-7.
+// Derivative of stripes3 by q: the waves' difference between the box's ends over the edge; for edge
+// < 1/2 from the transition in the box, if any. An edge <= 1e-6 gives 0. Relative error 1.2e-7.
 vec3 stripesRate3(vec3 q, vec3 edges) {
     vec3 high = step(0.5, fract(q + 0.5 * edges));
     vec3 low = step(0.5, fract(q - 0.5 * edges));

@@ -2,7 +2,7 @@
 #include "compiler/library/reference.h"
 #include <string.h>
 
-#define EXPONENT_LIMIT 65504. /* the greatest half float */
+#define EXPONENT_LIMIT 65504. /* the largest half float */
 #define MIN_LENGTH     1e-37
 
 REFERENCE(phongExponent)
@@ -13,7 +13,7 @@ REFERENCE(phongExponent)
         result[0] = 0;
     else if (y >= 1)
         result[0] = EXPONENT_LIMIT;
-    /* log1p, as y = 1 - w has lost the digits of a small w. */
+    /* log1p, because y = 1 - w has lost the digits of a small w. */
     else
         result[0] = fmin(-2 / (w < .5 ? log1p(-w) : log(y)), EXPONENT_LIMIT);
 }
@@ -51,12 +51,12 @@ static double dot3(const double a[3], const double b[3])
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* By the angle of du between the frame's vectors. */
+/* Rotates by the angle of du in the frame (t, b) of the normal. */
 REFERENCE(anisotropyStored)
 {
     (void)context;
     const double *n = args + 2, *du = args + 5, *dv = args + 8, flat = n[0] * n[0] + n[1] * n[1];
-    /* of a rounded n near (0, 0, -1), too */
+    /* guards against a rounded n near (0, 0, -1) */
     const double w = 1 / fmax(n[2] < 0 ? flat / (1 - n[2]) : 1 + n[2], 1e-12);
     const double t[3] = {1 - w * n[0] * n[0], -w * n[0] * n[1], -n[0]},
                  b[3] = {-w * n[0] * n[1], 1 - w * n[1] * n[1], -n[1]};
@@ -68,7 +68,7 @@ REFERENCE(anisotropyStored)
     result[1] = strength * sin(turn);
 }
 
-/* The oracle's eye space is the world. */
+/* The oracle's eye space is world space. */
 REFERENCE(eyeFromWorld)
 {
     (void)context;

@@ -1,5 +1,5 @@
 // needs: circleReduce circleSine
-// Tangent. Relative error 3e-7 where that of x allows it; at its poles it is cut at 1e7.
+// Tangent, clamped to 1e7 at the poles. Relative error 3e-7, plus that of x.
 float tangentBounded(float x) {
     vec2 part = circleReduce(x);
     float c = circleSine(part.x, part.y + 1.0);

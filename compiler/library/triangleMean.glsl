@@ -1,6 +1,7 @@
 // needs:
-// Mean of the triangle wave (0 at whole v, 1 a quarter after) over a box. Below an edge of 1/2 only the nearest corner counts,
-// which does not cancel; above from the antiderivative: error 3e-7. A box without an edge is the point.
+// Box-filtered triangle wave (0 at integers v, 1 a quarter later). For edge < 1/2 from the nearest
+// corner, without cancellation; else from the antiderivative. Error 3e-7. Edge 0 gives the point
+// value.
 float triangleMean(float v, float edge) {
     float t = fract(fract(v) - 0.25);
     float height = abs(4.0 * t - 2.0) - 1.0;

@@ -1,6 +1,7 @@
 // needs:
-// Derivative of triangleMean by v: below an edge of 1/2 the slope of the side less what reaches over the nearest corner, at which
-// it is 0; above the difference of the wave at the box's ends over its edge. Error 3e-6.
+// Derivative of triangleMean by v: for edge < 1/2 the slope, less the part beyond the nearest
+// corner (0 at a corner); else the wave's difference between the box's ends over the edge. Error
+// 3e-6.
 float triangleRate(float v, float edge) {
     float t = fract(fract(v) - 0.25);
     float corner = min(min(t, 1.0 - t), abs(t - 0.5));

@@ -1,6 +1,6 @@
 // needs: noiseLong noiseStatistics octaveMean octaveShare
-// turbulence(p + rest, ...) over a square of an edge `width`: octaves fade to their mean, and finer ones are not computed at all.
-// Error as of turbulence.
+// turbulence(p + rest, ...), filtered over a square of edge `width`: octaves fade to their mean and
+// are skipped once faded. Error of turbulence.
 float turbulenceFiltered(vec3 p, vec3 rest, int octaves, float frequencyRatio, float noiseRatio, float width) {
     int count = octaves > 1 ? octaves : 1;
     float strength = 1.0;

@@ -1,7 +1,7 @@
 // needs: noiseStatistics octaveLoss
-// Variance over the square that turbulenceFiltered leaves out, besides what the slope of its result says: of each octave, the
-// noise's own at most (4.73 / 12 of it is what its mean square slope makes over an edge of 1). Error 2e-7 to the sum of the
-// strengths, and 1e-6 of it for narrow squares: 1 - share^2 is loss (2 - loss).
+// Variance in the square that turbulenceFiltered removes, less the part that its gradient explains
+// (4.73 / 12 of an octave's variance over an edge of 1, by its mean square slope). Error 2e-7 times
+// the sum of amplitudes, relative 1e-6 for narrow squares: 1 - share^2 = loss (2 - loss).
 float turbulenceVariance(int octaves, float frequencyRatio, float noiseRatio, float width) {
     int count = octaves > 1 ? octaves : 1;
     float strength = noiseVariance;

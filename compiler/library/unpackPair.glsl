@@ -1,6 +1,7 @@
 // needs:
-// Inverse of packPair: (x, y) as multiples of 1 / 127.5, at most 1 / 127.5 below what was packed; [0, 127 / 127.5] for any value.
-// The exponent is found by comparisons, every step exact, since floor(log2(v)) may be one too low at a power of two.
+// Inverse of packPair: multiples of 1 / 127.5, at most 1 / 127.5 below the packed values; [0, 127 /
+// 127.5] for any value. Comparisons find the exponent exactly; floor(log2(v)) may be one too low at
+// a power of two.
 vec2 unpackPair(float value) {
     float v = clamp(value, 1.0, 65504.0);
     float exponent = 0.0;

@@ -1,6 +1,6 @@
 // needs: codeFromHalf
-// Inverse of packRadix: (x, y) as multiples of 1/246 and 1/247, at most half of that from what was packed; in [0, 1]^2 for any
-// value. Half a step is added before the division, which may then err.
+// Inverse of packRadix: multiples of 1/246 and 1/247, rounded to nearest; in [0, 1]^2 for any
+// value. The half step makes the division robust to rounding.
 vec2 unpackRadix(float value) {
     float code = codeFromHalf(value);
     float y = floor((code + 0.5) * (1.0 / 247.0));

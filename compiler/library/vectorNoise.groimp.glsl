@@ -1,5 +1,5 @@
 // needs: latticeCorners latticeMix latticeNext latticeScale latticeTerms
-// Three lattice noises at a point of a cell: the first is lattice(cell, d), the others take further hashes of the same corners.
+// Three lattice noises at position d in a cell: x is lattice(cell, d); y and z use further hashes.
 vec3 vectorNoise(vec3 cell, vec3 d) {
     vec3 e = d - vec3(0.0, 0.0, 1.0);
     vec3 sum;

@@ -1,5 +1,5 @@
 // needs: latticeNext latticeNumbers latticeScale simplexCorners
-// Three simplex noises at a point of a cell: the first is lattice(cell, d), the others take further hashes of the same corners.
+// Three simplex noises at position d in a cell: x is lattice(cell, d); y and z use further hashes.
 vec3 vectorNoise(vec3 cell, vec3 d) {
     vec4 hash;
     vec4 dx, dy, dz;

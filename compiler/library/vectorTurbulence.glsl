@@ -1,6 +1,6 @@
 // needs: vectorNoise
-// Sum of octaves noiseRatio^k vectorNoise(frequencyRatio^k p), k from 0; at least one. Signed and not normalised. Error as of
-// turbulence.
+// Sum of octaves noiseRatio^k vectorNoise(frequencyRatio^k p), k from 0; at least one. Signed, not
+// normalized. Error of turbulence.
 vec3 vectorTurbulence(vec3 p, int octaves, float frequencyRatio, float noiseRatio) {
     int count = octaves > 1 ? octaves : 1;
     float strength = 1.0;

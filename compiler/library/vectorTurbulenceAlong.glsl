@@ -1,6 +1,6 @@
 // needs: latticeCell octaveShare vectorNoiseAlong
-// Derivative of vectorTurbulenceFiltered(p, rest, ...) along a direction. Error as of turbulenceGradient,
-// times the length of the direction.
+// Derivative of vectorTurbulenceFiltered(p, rest, ...) along a direction. Error of
+// turbulenceGradient, times |direction|.
 vec3 vectorTurbulenceAlong(vec3 p, vec3 rest, int octaves, float frequencyRatio, float noiseRatio, float width,
                            vec3 direction) {
     int count = octaves > 1 ? octaves : 1;

@@ -1,6 +1,6 @@
 // needs: latticeCell noiseStatistics octaveMean octaveShare vectorNoise
-// vectorTurbulence(p + rest, ...) over a square of an edge `width`: octaves fade to their mean, half the noise's in every
-// lane, and finer ones are not computed at all. Error as of turbulence.
+// vectorTurbulence(p + rest, ...), filtered over a square of edge `width`: octaves fade to their
+// mean, half of noise's per component, and are skipped once faded. Error of turbulence.
 vec3 vectorTurbulenceFiltered(vec3 p, vec3 rest, int octaves, float frequencyRatio, float noiseRatio, float width) {
     int count = octaves > 1 ? octaves : 1;
     float strength = 1.0;

@@ -1,4 +1,4 @@
-/* The hyperbolic waves. Their limits keep a float finite. */
+/* The hyperbolic waves. Their limits keep results finite in float. */
 #include "compiler/library/reference.h"
 
 REFERENCE(waveCosh)

@@ -1,5 +1,5 @@
 // needs:
-// Gradient of wood, then its value; on the axis the gradient is 0. Error 3e-7, of the value relative.
+// Gradient (xyz; 0 on the axis) and value (w) of wood. Error 3e-7, relative for the value.
 vec4 woodGradient(vec3 p) {
     vec2 a = clamp(p.xy, -1.0e37, 1.0e37);
     float greater = max(max(abs(a.x), abs(a.y)), 1.0e-37);

@@ -1,5 +1,5 @@
 // needs: worleySearch
-// Gradient by p of worley, then its value; 0 of numbers of cells. Error 1e-6 over the distance.
+// Gradient by p (xyz; 0 for style 1) and value (w) of worley. Error 1e-6 over the distance.
 vec4 worleyGradient(vec3 p, float jitter, int style, int dimensions) {
     vec3 away, nearest;
     worleySearch(p, jitter, dimensions, away, nearest);

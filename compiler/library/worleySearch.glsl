@@ -1,6 +1,7 @@
 // needs: jenkins
-// Of points of which each cell has one, `jitter` times as far from its middle as chance says, the nearest of the cell of p and those beside it: how far p is
-// away from it, and its cell. Coordinates are cut at 2^24; of two dimensions z is 0. Error 3e-7.
+// Finds the nearest cell point in the 3 x 3 (x 3) neighborhood of p: `away` is p minus the point,
+// `nearest` its cell. Each cell has one random point; `jitter` scales its offset from the center.
+// Coordinates are clamped to 2^24; in 2D z is 0. Error 3e-7.
 void worleySearch(vec3 p, float jitter, int dimensions, out vec3 away, out vec3 nearest) {
     vec3 axes = vec3(1.0, 1.0, dimensions < 3 ? 0.0 : 1.0);
     vec3 q = clamp(p, -16777216.0, 16777216.0) * axes;

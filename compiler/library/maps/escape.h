@@ -1,9 +1,9 @@
-/* Functions that the references of mandel and julia share. */
+/* Escape-time iteration shared by the references of mandel and julia. */
 #ifndef MATC_ESCAPE_H
 #define MATC_ESCAPE_H
 #include "compiler/library/reference.h"
 
-/* Share of the steps z -> z^2 + c that stay within |z| <= 2, laid over [-1, 1]. */
+/* Fraction of the steps z -> z^2 + c with |z| <= 2, scaled to [-1, 1]. */
 static inline double escape(const double start[2], const double c[2], double iterations)
 {
     double x = start[0], y = start[1];

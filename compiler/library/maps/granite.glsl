@@ -1,5 +1,5 @@
 // needs: noise
-// Six octaves of |noise(4 2^k p)| - 1/2, each half as strong as the last; in [-63/64, 63/64]. Error 4e-6.
+// Six octaves of |noise(4 2^k p)| - 1/2 with amplitudes 2^-k; in [-63/64, 63/64]. Error 4e-6.
 float granite(vec3 p) {
     vec3 q = 4.0 * p;
     float strength = 1.0;

@@ -1,6 +1,7 @@
 // needs:
-// Julia set of c = cx + i cy: z from 4 (fraction of p.xy) - 2 on; the share of `iterations` steps z^2 + c that stay within
-// |z| <= 2, laid over [-1, 1]. Next to the set's edge rounding may change the number of steps.
+// Julia set of c = (cx, cy): z starts at 4 fract(p.xy) - 2. Returns the fraction of `iterations`
+// steps z^2 + c with |z| <= 2, scaled to [-1, 1]. Rounding may change the count near the set's
+// border.
 float julia(vec3 p, int iterations, float cx, float cy) {
     vec2 z = 4.0 * fract(p.xy) - 2.0;
     int steps = 0;

@@ -1,8 +1,8 @@
 #include "compiler/library/maps/escape.h"
 #include "compiler/library/reference.h"
 
-/* The fraction is t - floor(t) everywhere; GroIMP's own is 1 at the whole numbers up to 0, a fault
- * not copied. */
+/* The fraction is t - floor(t) everywhere; GroIMP's own is 1 at the integers up to 0, a bug that
+ * is not copied. */
 REFERENCE(mandel)
 {
     (void)context;

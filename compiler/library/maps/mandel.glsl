@@ -1,6 +1,6 @@
 // needs:
-// Mandelbrot set: c = 4 (fraction of p.xy) - 2, z from c on; the share of `iterations` steps z^2 + c that stay within
-// |z| <= 2, laid over [-1, 1]. Next to the set's edge rounding may change the number of steps.
+// Mandelbrot set: c = 4 fract(p.xy) - 2, z starts at c. Returns the fraction of `iterations` steps
+// z^2 + c with |z| <= 2, scaled to [-1, 1]. Rounding may change the count near the set's border.
 float mandel(vec3 p, int iterations) {
     vec2 c = 4.0 * fract(p.xy) - 2.0;
     vec2 z = c;

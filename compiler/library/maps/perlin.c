@@ -1,19 +1,19 @@
-/* Perlin's improved noise by the hash of OSL and MaterialX: values and gradients in double. */
+/* Perlin's improved noise with the hash of OSL and MaterialX: values and gradients in double. */
 #include "compiler/library/reference.h"
 
-/* A coordinate has no fraction beyond it as a float. */
+/* Larger coordinates have no fraction as a float. */
 static const double farthest = 16777216;
 
 static uint32_t turned(uint32_t bits, int by) { return bits << by | bits >> (32 - by); }
 
-/* lookup3's final mix (Jenkins 2006) of 2 or 3 whole numbers; the third of 2 is 0. */
+/* Final mix of lookup3 (Jenkins 2006) of 2 or 3 integers; the third of 2 is 0. */
 static uint32_t hash_of(const double corner[3], int count)
 {
     static const int turns[] = {14, 11, 25, 16, 4, 14, 24};
     uint32_t h[3];
     for (int i = 0; i < 3; i++)
         h[i] = 0xDEADBEEFu + 13 + 4 * (uint32_t)count + (uint32_t)(int32_t)corner[i];
-    for (int i = 0, to = 2, from = 1; i < 7; i++) { /* c by b, a by c, b by a, and so on */
+    for (int i = 0, to = 2, from = 1; i < 7; i++) { /* c with b, a with c, b with a, and so on */
         h[to] = (h[to] ^ h[from]) - turned(h[from], turns[i]);
         from = to;
         to = (to + 1) % 3;
@@ -21,8 +21,8 @@ static uint32_t hash_of(const double corner[3], int count)
     return h[2];
 }
 
-/* Two axes by the hash's bits from the third on, each forwards or backwards by the two lowest; the
- * scale is that of the definition. */
+/* Gradient of a corner: two axes chosen by the hash's bits from the third on, their signs by the
+ * two lowest bits; scaled as the definition requires. */
 static void direction_of(const double corner[3], int count, double direction[3])
 {
     static const int first[16] = {0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1};
@@ -39,7 +39,7 @@ static void direction_of(const double corner[3], int count, double direction[3])
     }
 }
 
-/* Gradient, then value, of one octave. */
+/* Computes the gradient, then the value, of one octave. */
 static void octave(const double p[3], int count, double out[4])
 {
     double cell[3], d[3], far[3], rate[3];
@@ -75,7 +75,7 @@ static void fractal(const double *args, double out[4])
     double q[3], strength = 1, frequency = 1;
     out[0] = out[1] = out[2] = out[3] = 0;
     for (int i = 0; i < 3; i++)
-        q[i] = fmax(fmin(args[i], farthest), -farthest); /* a number, whatever it is given */
+        q[i] = fmax(fmin(args[i], farthest), -farthest); /* fmin and fmax also replace NaN */
     for (int k = 0; k < octaves; k++) {
         double one[4];
         octave(q, count, one);

@@ -1,6 +1,7 @@
 // needs: perlinOctave
-// Octaves of Perlin's noise: the sum over k < octaves of diminish^k N(lacunarity^k p), coordinates cut at 2^24 in each. Error 2e-6 of the sum of
-// |diminish|^k, where lacunarity is a power of two; else what rounding makes of the coordinates as well.
+// Fractal Perlin noise: the sum over k < octaves of diminish^k N(lacunarity^k p), coordinates
+// clamped to 2^24. Error 2e-6 of the sum of |diminish|^k if lacunarity is a power of two; otherwise
+// rounding of coordinates adds to it.
 float perlin(vec3 p, int octaves, float lacunarity, float diminish, int dimensions) {
     vec3 q = clamp(p, -16777216.0, 16777216.0);
     float strength = 1.0;

@@ -1,14 +1,14 @@
-/* MaterialX's cells and Worley's noise: Jenkins' lookup3 of any count of numbers, in whole numbers,
- * and distances in double. */
+/* MaterialX's cell noise and Worley noise: Jenkins' lookup3 of any count of numbers, in
+ * integers, and distances in double. */
 #include "compiler/library/reference.h"
 
-/* A coordinate has no fraction beyond it as a float. */
+/* Larger coordinates have no fraction as a float. */
 static const double farthest = 16777216;
 
 static uint32_t turned(uint32_t bits, int by) { return bits << by | bits >> (32 - by); }
 
-/* All but the last three numbers are mixed, three at a time; the last are mixed otherwise. Over
- * 2^32 - 1. */
+/* Hash over 2^32 - 1: mixes all but the last three numbers in threes, then applies the final mix
+ * to the last three. */
 static double hashed(const double *numbers, int count)
 {
     static const int mixed[] = {4, 6, 8, 16, 19, 4}, last[] = {14, 11, 25, 16, 4, 14, 24};
@@ -18,7 +18,7 @@ static double hashed(const double *numbers, int count)
     for (; count > 3; count -= 3, numbers += 3) {
         for (int i = 0; i < 3; i++)
             h[i] += (uint32_t)(int32_t)numbers[i];
-        for (int i = 0; i < 6; i++) { /* a by c and b, b by a and c, c by b and a */
+        for (int i = 0; i < 6; i++) { /* a with c and b, b with a and c, c with b and a */
             uint32_t *to = &h[i % 3], *by = &h[(i + 2) % 3];
             *to = (*to - *by) ^ turned(*by, mixed[i]);
             *by += h[(i + 1) % 3];
@@ -49,7 +49,7 @@ REFERENCE(cellNoise)
     result[0] = hashed(cell, count);
 }
 
-/* The gradient, then the value. */
+/* Computes the gradient, then the value. */
 static void nearest(const double *args, double out[4])
 {
     const int count = args[5] < 3 ? 2 : 3;
