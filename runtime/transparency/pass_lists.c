@@ -190,7 +190,7 @@ static bool pass_blend_moved(Renderer *renderer, int first, int count)
 
 const FramePass pass_lists = {
     .plan = {"lists", .reads = FRAME_BIT(depth), .fills = FRAME_BIT(lists)},
-    .when = "something is transparent, and there is OpenGL 4.3",
+    .when = "the scene has transparent surfaces, and OpenGL 4.3 is supported",
     .needed = pass_lists_needed,
     .make = pass_lists_make,
     .count = pass_lists_count,

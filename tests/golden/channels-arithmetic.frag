@@ -12,38 +12,40 @@ uniform float harder;
 uniform mat3 matc_eyeFromWorld;
 layout(location = 0) out uvec4 fragment0;
 
-// Mean over boxes below 1/2 of waves that are 1 for q in [0, 1/2) and -1 in [1/2, 1), period 1; q in [0, 1]. From the distance to the
-// nearest edge, which does not cancel: error 1e-7 at any width. A box of at most 1e-6 is the point, which at an edge belongs to the
-// upper side.
+// Box-filtered square waves for edge < 1/2, component-wise: 1 for q in [0, 1/2), -1 in [1/2, 1); q
+// in [0, 1]. From the distance to the nearest transition, without cancellation: error 1e-7 at any
+// width. An edge <= 1e-6 gives the point value; a transition belongs to its upper side.
 vec2 stripesNear2(vec2 q, vec2 edges) {
     vec2 side = 1.0 - 2.0 * step(0.5, q);
     vec2 distance = min(min(q, 1.0 - q), abs(q - 0.5));
     return side * max(min(2.0 * distance / max(edges, 1.0e-6), 1.0), step(edges, vec2(1.0e-6)));
 }
 
-// Mean over boxes of waves that are 1 for q in [0, 1/2) and -1 in [1/2, 1), period 1; q in [0, 1]. For a box of 1/2 and more from the
-// antiderivative. Error 2e-7.
+// Box-filtered square waves of period 1, component-wise: 1 for q in [0, 1/2), -1 in [1/2, 1); q in
+// [0, 1]. For edge >= 1/2 from the antiderivative. Error 2e-7.
 vec2 stripes2(vec2 q, vec2 edges) {
     vec2 low = abs(fract(q - 0.5 * edges) - 0.5);
     vec2 high = abs(fract(q + 0.5 * edges) - 0.5);
     return mix(stripesNear2(q, edges), (low - high) / max(edges, 0.5), step(0.5, edges));
 }
 
-// ((sin x + sin y + sin z) / 3)^2, in [0, 1]. As accurate as the sine: 3e-7 on llvmpipe up to 1e6; GLSL promises nothing.
+// ((sin x + sin y + sin z) / 3)^2, in [0, 1]. Error of sin(): 3e-7 on llvmpipe up to 1e6; GLSL has
+// no bound.
 float leopard(vec3 p) {
     float mean = dot(sin(p), vec3(1.0 / 3.0));
     return mean * mean;
 }
 
-// A bijective finaliser, two rounds of shift and multiply, so that the top bits of every shift of the hash are good.
+// Bijective hash finalizer, two xorshift-multiply rounds: the top bits of every shifted hash are
+// well mixed.
 uvec4 latticeFinal(uvec4 h) {
     h = (h ^ (h >> 16u)) * 0x7FEB352Du;
     h = (h ^ (h >> 15u)) * 0x846CA68Bu;
     return h ^ (h >> 16u);
 }
 
-// Hashes of the eight corners of a cell, lanes as latticeMix takes them: xor of the coordinates' products, then a finaliser.
-// The wrap to [0, 65536) is exact for every finite cell: its steps only scale by powers of two and drop high digits.
+// Hashes of a cell's eight corners, in latticeMix's order: xor of products, then a finalizer. The
+// wrap to [0, 65536) is exact for every finite cell.
 void latticeCorners(vec3 cell, out uvec4 low, out uvec4 high) {
     const uvec3 factor = uvec3(0x9E3779B1u, 0x85EBCA77u, 0xC2B2AE3Du);
     uvec3 c = uvec3(ivec3(cell - 65536.0 * floor(cell * (1.0 / 65536.0))));
@@ -54,7 +56,8 @@ void latticeCorners(vec3 cell, out uvec4 low, out uvec4 high) {
     high = latticeFinal(square ^ (c1.z + 0x165667B1u));
 }
 
-// Mixes eight corner terms, lanes (x, y) = (0,0) (1,0) (0,1) (1,1), z = 0 in `low` and 1 in `high`, with weights 3d^2 - 2d^3.
+// Mixes eight corner terms with weights 3d^2 - 2d^3. Order: (x, y) = (0,0) (1,0) (0,1) (1,1), z = 0
+// in `low` and 1 in `high`.
 float latticeMix(vec4 low, vec4 high, vec3 d) {
     vec3 s = d * d * (3.0 - 2.0 * d);
     vec4 plane = mix(low, high, s.z);
@@ -62,11 +65,12 @@ float latticeMix(vec4 low, vec4 high, vec3 d) {
     return mix(line.x, line.y, s.x);
 }
 
-// A hash read as a signed number is this much of 1.
+// Scales a signed 32-bit hash to [-1, 1].
 const float latticeScale = 1.0 / 2147483648.0;
 
-// Value plus gradient terms of a face's four corners, times 2^31; d is the offset from the first corner.
-// A corner's numbers are its hash shifted left by 0, 7, 14, 21 and read as signed: uniform, symmetric to 2^-11, no masks.
+// Value plus gradient terms of a face's four corners, times 2^31; d is the offset from the first
+// corner. The numbers are the hash shifted left by 0, 7, 14, 21, read as signed: uniform, symmetric
+// to 2^-11.
 vec4 latticeTerms(uvec4 hash, vec3 d) {
     vec4 dx = vec4(d.x, d.x - 1.0, d.x, d.x - 1.0);
     vec4 dy = vec4(d.yy, d.yy - 1.0);
@@ -74,21 +78,22 @@ vec4 latticeTerms(uvec4 hash, vec3 d) {
          + vec4(ivec4(hash << 21u)) * d.z;
 }
 
-// Lattice noise at a point of a cell, d in [0, 1): at each corner a value and a gradient from a hash, smoothly interpolated.
-// About [-1, 1], standard deviation 1/4, period 65536 an axis. Error below 1e-6 of the reference at the same floats.
+// Lattice noise at position d in [0, 1) in a cell: hashed value and gradient per corner, smoothly
+// interpolated. About [-1, 1], standard deviation 1/4, period 65536 per axis. Error 1e-6.
 float lattice(vec3 cell, vec3 d) {
     uvec4 low, high;
     latticeCorners(cell, low, high);
     return latticeMix(latticeTerms(low, d), latticeTerms(high, d - vec3(0.0, 0.0, 1.0)), d) * latticeScale;
 }
 
-// Noise in [-1, 1], standard deviation 1/2. About one sample in twenty is clamped. Error 2e-6, in simplex noise too.
+// Noise in [-1, 1], standard deviation 1/2. About 1 sample in 20 is clamped. Error 2e-6, also for
+// simplex noise.
 float noise(vec3 p) {
     vec3 cell = floor(p);
     return clamp(2.0 * lattice(cell, p - cell), -1.0, 1.0);
 }
 
-// Six octaves of |noise(4 2^k p)| - 1/2, each half as strong as the last; in [-63/64, 63/64]. Error 4e-6.
+// Six octaves of |noise(4 2^k p)| - 1/2 with amplitudes 2^-k; in [-63/64, 63/64]. Error 4e-6.
 float granite(vec3 p) {
     vec3 q = 4.0 * p;
     float strength = 1.0;
@@ -101,33 +106,34 @@ float granite(vec3 p) {
     return sum;
 }
 
-// Gradient of leopard, then its value. Error 4.3e-7 where sin and cos have 1e-7.
+// Gradient (xyz) and value (w) of leopard. Error 4.3e-7 if sin and cos err by 1e-7.
 vec4 leopardGradient(vec3 p) {
     float mean = dot(sin(p), vec3(1.0 / 3.0));
     return vec4(cos(p) * (mean * (2.0 / 3.0)), mean * mean);
 }
 
-// v, taken to [0, 1], as the nearest of 2^bits equal steps, bits <= 16.
+// Quantizes v, clamped to [0, 1], to `bits` <= 16 bits, rounding to nearest.
 uint unormBits(float v, int bits) {
     return uint(floor(clamp(v, 0.0, 1.0) * float((1 << bits) - 1) + 0.5));
 }
 
-// The square root of v, taken to [0, 1], as the nearest of 2^bits equal steps: steps of v that shrink towards 0, as an eye's do.
+// Quantizes sqrt(v), v clamped to [0, 1], to `bits` bits: finer steps near 0, like perceived
+// lightness.
 uint rootBits(float v, int bits) {
     return unormBits(sqrt(clamp(v, 0.0, 1.0)), bits);
 }
 
-// v by equal steps of its logarithm: code 0 is 0, code 1 is 1/16, the last is 65504 = 2^(19.9992954 - 4); below 1/32 it is 0.
-// bits from 4 to 16.
+// Quantizes v in equal steps of log2: code 0 is 0, code 1 is 1/16, the last is 65504 =
+// 2^(19.9992954 - 4). Values below 1/32 become 0. bits in [4, 16].
 uint logarithmBits(float v, int bits) {
     int steps = (1 << bits) - 2;
     float place = (log2(clamp(v, 0.0625, 65504.0)) + 4.0) * (float(steps) / 19.9992954);
     return v < 0.03125 ? 0u : uint(clamp(floor(place + 0.5), 0.0, float(steps))) + 1u;
 }
 
-// Exponent of a Phong lobe for a shininess x: -2 / ln y, y = x (2 - x), 0 for y <= 0, at most 65504. Relative error 8e-7.
-// Near x = 1 the logarithm would lose its digits: there, with w = 1 - y = (1 - x)^2 and s = w / (2 - w), ln y is
-// -2 (s + s^3/3 + s^5/5 + s^7/7 + ...); for w <= 1/4 the rest is below 2e-8 of it.
+// Phong exponent of a shininess x: -2 / ln y, y = x (2 - x), at most 65504; 0 for y <= 0. Relative
+// error 8e-7. Near x = 1 a series avoids cancellation: with w = (1 - x)^2 and s = w / (2 - w), ln y
+// is -2 (s + s^3/3 + s^5/5 + s^7/7 + ...); for w <= 1/4 the remainder is below 2e-8 relative.
 float phongExponent(float x) {
     float y = x * (2.0 - x);
     float w = min((1.0 - x) * (1.0 - x), 0.25);
@@ -139,8 +145,9 @@ float phongExponent(float x) {
     return y > 0.0 ? exponent : 0.0;
 }
 
-// v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
-// no square over- or underflows, and a great one is scaled down before, so that its reciprocal does not. Relative error 2e-7.
+// v / |v| for every finite v; (0, 0, 1) if all components are below 1e-37. v is divided by its
+// largest component, so no square over- or underflows; large vectors are scaled down first, so the
+// reciprocal does not underflow. Relative error 2e-7.
 vec3 safeNormalize(vec3 v) {
     float greatest = max(max(abs(v.x), abs(v.y)), abs(v.z));
     float scale = greatest > 1.0e37 ? 1.0 / 1024.0 : 1.0;
@@ -149,36 +156,39 @@ vec3 safeNormalize(vec3 v) {
     return greatest < 1.0e-37 ? vec3(0.0, 0.0, 1.0) : unit;
 }
 
-// A world direction in eye space; the matrix is a rotation, so that lengths and angles stay.
+// Transforms a direction from world to eye space. The matrix is a rotation: lengths and angles are
+// kept.
 vec3 eyeFromWorld(vec3 d) {
     return matc_eyeFromWorld * d;
 }
 
-// Unit normal to the plane of an octahedron in [-1, 1]^2: n / (|x| + |y| + |z|), its lower half folded outward. (0, 0, 0) gives
-// (0, 0), which is +z. No sign(): it is 0 at 0, where the fold wants 1. Error 2e-7.
+// Octahedral encoding of a unit normal in [-1, 1]^2: n / (|x| + |y| + |z|), the lower half folded
+// outward. (0, 0, 0) encodes as +z. sign() would be 0 at 0, where the fold needs 1. Error 2e-7.
 vec2 encodeOctahedral(vec3 n) {
     vec2 p = n.xy / max(abs(n.x) + abs(n.y) + abs(n.z), 1.0e-30);
     vec2 side = vec2(p.x < 0.0 ? -1.0 : 1.0, p.y < 0.0 ? -1.0 : 1.0);
     return n.z < 0.0 ? (1.0 - abs(p.yx)) * side : p;
 }
 
-// Unit normal to two whole numbers in [-s, s], s = 2^(bits-1) - 1, by the nearest point of the octahedron. The axes have codes
-// of their own. A half float holds them exactly for bits <= 12. The power is exact: exp2 errs by less than 1/2 for bits <= 16.
+// Quantizes a unit normal to two integers in [-s, s], s = 2^(bits-1) - 1, on the octahedron. The
+// axes are exact. A half float holds them exactly for bits <= 12. floor() makes exp2 exact for bits
+// <= 16.
 vec2 octahedralWhole(vec3 n, int bits) {
     float scale = floor(exp2(float(bits - 1)) + 0.5) - 1.0;
     return floor(encodeOctahedral(n) * scale + 0.5);
 }
 
-// The two whole numbers of octahedralWhole, moved up to begin at 0, in 2 bits bits: x in the lower ones.
+// Packs octahedralWhole, offset to start at 0, in 2 * bits bits: x in the lower half.
 uint octahedralBits(vec3 n, int bits) {
     float scale = float((1 << (bits - 1)) - 1);
     uvec2 code = uvec2(octahedralWhole(n, bits) + scale);
     return code.x | code.y << bits;
 }
 
-// Three numbers >= 0 with one exponent: mantissas m of `bits` bits, 4 to 9, and above them an exponent e of 5:
-// v = m 2^(e - 15 - bits), at most 65536 (1 - 2^-bits). With 9 bits that is the texture format RGB9E5. The exponent is read from
-// the float's own, so that no logarithm errs; where a mantissa is rounded up to 2^bits, the next exponent is taken.
+// Packs three numbers >= 0 with a shared exponent: mantissas m of `bits` bits (4 to 9), then a
+// 5-bit exponent e: v = m 2^(e - 15 - bits), at most 65536 (1 - 2^-bits). 9 bits are the format
+// RGB9E5. The float's own exponent is used, so no logarithm errs. A mantissa that rounds to 2^bits
+// uses the next exponent.
 uint sharedExponentBits(vec3 v, int bits) {
     float steps = float(1 << bits);
     vec3 c = clamp(v, 0.0, 65536.0 - 65536.0 / steps);

@@ -9,42 +9,44 @@ uniform mat3 matc_eyeFromWorld;
 uniform sampler2D imageTexture0;
 layout(location = 0) out uvec4 fragment0;
 
-// Width and height of a picture, texels.
+// Width and height of an image in texels.
 vec2 pictureSize(sampler2D s) {
     return vec2(textureSize(s, 0));
 }
 
-// A picture by its sampler, which takes the footprint from the neighbouring pixels: not in branches. A texel's value stands at its
-// lower corner, the sampler's at its centre. Below a texel a pixel the sampler's weights err by 1/256.
+// Samples an image, texel values at the texels' lower corners (hence the half-texel offset). Uses
+// implicit derivatives: not in branches. Under magnification the sampler's weights err by 1/256.
 vec4 imageSampled(sampler2D s, vec2 uv, vec2 size) {
     return texture(s, uv + 0.5 / size);
 }
 
-// v, taken to [0, 1], as the nearest of 2^bits equal steps, bits <= 16.
+// Quantizes v, clamped to [0, 1], to `bits` <= 16 bits, rounding to nearest.
 uint unormBits(float v, int bits) {
     return uint(floor(clamp(v, 0.0, 1.0) * float((1 << bits) - 1) + 0.5));
 }
 
-// The square root of v, taken to [0, 1], as the nearest of 2^bits equal steps: steps of v that shrink towards 0, as an eye's do.
+// Quantizes sqrt(v), v clamped to [0, 1], to `bits` bits: finer steps near 0, like perceived
+// lightness.
 uint rootBits(float v, int bits) {
     return unormBits(sqrt(clamp(v, 0.0, 1.0)), bits);
 }
 
-// Texel (i.x, i.y) of the base level, whatever the sampler's state; i is whole and inside the picture.
+// Texel (i.x, i.y) of mipmap level 0, independent of the sampler; i is integral and inside the
+// image.
 vec4 texel(sampler2D s, vec2 i, vec2 size) {
     return texelFetch(s, ivec2(i), 0);
 }
 
-// How the mix of four texels rises from one to the next along u and along v: of three rows of three, the lowest first; the last
-// texel of the top row has no part in it. Differences come before the mix, so that nothing cancels.
+// Differences along u and v of bilinear interpolation, from three rows of three texels, bottom row
+// first; top.z is unused. Differences are taken before mixing, which avoids cancellation.
 vec2 texelsRise(vec3 row, vec3 above, vec3 top, vec2 weight) {
     vec2 low = mix(vec2(row.y - row.x, above.x - row.x), vec2(row.z - row.y, top.x - above.x), weight);
     vec2 high = mix(vec2(above.y - above.x, above.y - row.y), vec2(above.z - above.y, top.y - above.y), weight);
     return mix(low, high, weight.yx);
 }
 
-// By how much a lane of imageBilinear(s, uv, size) is greater one texel further along u and along v, over a texel: eight texels
-// stand for the twelve of three places. Error 6e-7 of the size.
+// Finite difference of imageBilinear(s, uv, size)[lane] over one texel along u and v, per unit of
+// uv. Reads eight texels instead of twelve. Error 6e-7 * size.
 vec3 imageRiseRow(sampler2D s, vec3 x, float y, vec2 size, int lane) {
     return vec3(texel(s, vec2(x.x, y), size)[lane], texel(s, vec2(x.y, y), size)[lane], texel(s, vec2(x.z, y), size)[lane]);
 }
@@ -63,7 +65,8 @@ vec2 imageRise(sampler2D s, vec2 uv, vec2 size, int lane) {
                       imageRiseRow(s, x, last.y, size, lane), weight) * size;
 }
 
-// By how much a lane of what the sampler shows over a footprint is greater one texel further along u and along v, over a texel.
+// Finite difference of the filtered texture's component `lane` over one texel along u and v, per
+// unit of uv.
 vec2 imageRiseSampled(sampler2D s, vec2 uv, vec2 size, int lane, vec2 right, vec2 up) {
     vec2 at = uv + 0.5 / size;
     float here = textureGrad(s, at, right, up)[lane];
@@ -72,9 +75,9 @@ vec2 imageRiseSampled(sampler2D s, vec2 uv, vec2 size, int lane, vec2 right, vec
     return (vec2(beyondU, beyondV) - here) * size;
 }
 
-// imageRise up to a texel a pixel, where the sampler's weights have eight bits, too few for a difference times the size; from there
-// on the rise of what it shows. Beyond 65536 texels floats keep a step of a texel to less than 1/256: there whole turns are dropped, and
-// the sampler is told the footprint, so that it sees no seam.
+// imageRise under magnification, because the sampler's 8-bit weights are too coarse for a
+// difference times the size; else the given difference `shown`. Outside 65536 texels a float cannot
+// step 1/256 texel: whole periods are dropped, and the explicit footprint avoids a seam.
 vec2 imageRiseNear(sampler2D s, vec2 uv, vec2 size, int lane, vec2 right, vec2 up, vec2 shown) {
     vec2 across = right * size, along = up * size, far = abs(uv) * size;
     if (max(dot(across, across), dot(along, along)) <= 1.0)
@@ -84,8 +87,9 @@ vec2 imageRiseNear(sampler2D s, vec2 uv, vec2 size, int lane, vec2 right, vec2 u
     return shown;
 }
 
-// v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
-// no square over- or underflows, and a great one is scaled down before, so that its reciprocal does not. Relative error 2e-7.
+// v / |v| for every finite v; (0, 0, 1) if all components are below 1e-37. v is divided by its
+// largest component, so no square over- or underflows; large vectors are scaled down first, so the
+// reciprocal does not underflow. Relative error 2e-7.
 vec3 safeNormalize(vec3 v) {
     float greatest = max(max(abs(v.x), abs(v.y)), abs(v.z));
     float scale = greatest > 1.0e37 ? 1.0 / 1024.0 : 1.0;
@@ -94,27 +98,29 @@ vec3 safeNormalize(vec3 v) {
     return greatest < 1.0e-37 ? vec3(0.0, 0.0, 1.0) : unit;
 }
 
-// A world direction in eye space; the matrix is a rotation, so that lengths and angles stay.
+// Transforms a direction from world to eye space. The matrix is a rotation: lengths and angles are
+// kept.
 vec3 eyeFromWorld(vec3 d) {
     return matc_eyeFromWorld * d;
 }
 
-// Unit normal to the plane of an octahedron in [-1, 1]^2: n / (|x| + |y| + |z|), its lower half folded outward. (0, 0, 0) gives
-// (0, 0), which is +z. No sign(): it is 0 at 0, where the fold wants 1. Error 2e-7.
+// Octahedral encoding of a unit normal in [-1, 1]^2: n / (|x| + |y| + |z|), the lower half folded
+// outward. (0, 0, 0) encodes as +z. sign() would be 0 at 0, where the fold needs 1. Error 2e-7.
 vec2 encodeOctahedral(vec3 n) {
     vec2 p = n.xy / max(abs(n.x) + abs(n.y) + abs(n.z), 1.0e-30);
     vec2 side = vec2(p.x < 0.0 ? -1.0 : 1.0, p.y < 0.0 ? -1.0 : 1.0);
     return n.z < 0.0 ? (1.0 - abs(p.yx)) * side : p;
 }
 
-// Unit normal to two whole numbers in [-s, s], s = 2^(bits-1) - 1, by the nearest point of the octahedron. The axes have codes
-// of their own. A half float holds them exactly for bits <= 12. The power is exact: exp2 errs by less than 1/2 for bits <= 16.
+// Quantizes a unit normal to two integers in [-s, s], s = 2^(bits-1) - 1, on the octahedron. The
+// axes are exact. A half float holds them exactly for bits <= 12. floor() makes exp2 exact for bits
+// <= 16.
 vec2 octahedralWhole(vec3 n, int bits) {
     float scale = floor(exp2(float(bits - 1)) + 0.5) - 1.0;
     return floor(encodeOctahedral(n) * scale + 0.5);
 }
 
-// The two whole numbers of octahedralWhole, moved up to begin at 0, in 2 bits bits: x in the lower ones.
+// Packs octahedralWhole, offset to start at 0, in 2 * bits bits: x in the lower half.
 uint octahedralBits(vec3 n, int bits) {
     float scale = float((1 << (bits - 1)) - 1);
     uvec2 code = uvec2(octahedralWhole(n, bits) + scale);

@@ -9,28 +9,30 @@ uniform mat3 matc_eyeFromWorld;
 uniform sampler2D imageTexture0;
 layout(location = 0) out uvec4 fragment0;
 
-// Texel (i.x, i.y) of the base level, whatever the sampler's state; i is whole and inside the picture.
+// Texel (i.x, i.y) of mipmap level 0, independent of the sampler; i is integral and inside the
+// image.
 vec4 texel(sampler2D s, vec2 i, vec2 size) {
     return texelFetch(s, ivec2(i), 0);
 }
 
-// Texel (i.x, i.y), i whole, of a picture that goes on beyond its edges: of address 1 mirrored, up to two texels beyond its mirror
-// image; 2 as its outermost texels; 3 as 0.
+// Texel (i.x, i.y), i integral, with an address mode: 1 mirror, up to two texels outside the mirror
+// image; 2 clamp to edge; 3 border of 0.
 vec4 texelBeyond(sampler2D s, vec2 i, vec2 size, int address) {
     vec2 turn = i - 2.0 * size * step(2.0 * size, i);
     vec2 place = clamp(address == 1 ? min(turn, 2.0 * size - 1.0 - turn) : i, vec2(0.0), size - 1.0);
     return address == 3 && place != i ? vec4(0.0) : texel(s, place, size);
 }
 
-// How the mix of four texels rises from one to the next along u and along v: of three rows of three, the lowest first; the last
-// texel of the top row has no part in it. Differences come before the mix, so that nothing cancels.
+// Differences along u and v of bilinear interpolation, from three rows of three texels, bottom row
+// first; top.z is unused. Differences are taken before mixing, which avoids cancellation.
 vec2 texelsRise(vec3 row, vec3 above, vec3 top, vec2 weight) {
     vec2 low = mix(vec2(row.y - row.x, above.x - row.x), vec2(row.z - row.y, top.x - above.x), weight);
     vec2 high = mix(vec2(above.y - above.x, above.y - row.y), vec2(above.z - above.y, top.y - above.y), weight);
     return mix(low, high, weight.yx);
 }
 
-// By how much a lane of what the sampler shows over a footprint is greater one texel further along u and along v, over a texel.
+// Finite difference of the filtered texture's component `lane` over one texel along u and v, per
+// unit of uv.
 vec2 imageRiseSampled(sampler2D s, vec2 uv, vec2 size, int lane, vec2 right, vec2 up) {
     vec2 at = uv + 0.5 / size;
     float here = textureGrad(s, at, right, up)[lane];
@@ -39,7 +41,8 @@ vec2 imageRiseSampled(sampler2D s, vec2 uv, vec2 size, int lane, vec2 right, vec
     return (vec2(beyondU, beyondV) - here) * size;
 }
 
-// imageRiseOver of a picture that its sampler mirrors (address 1), clamps (2), or surrounds with 0 (3). Error 6e-7 of the size.
+// imageRiseOver for a sampler that mirrors (address 1), clamps (2), or has a zero border (3). Error
+// 6e-7 size.
 vec3 imageRiseBeyondRow(sampler2D s, vec3 x, float y, vec2 size, int lane, int address) {
     return vec3(texelBeyond(s, vec2(x.x, y), size, address)[lane], texelBeyond(s, vec2(x.y, y), size, address)[lane],
                 texelBeyond(s, vec2(x.z, y), size, address)[lane]);
@@ -57,13 +60,14 @@ vec2 imageRiseBeyond(sampler2D s, vec2 uv, vec2 size, int lane, int address, vec
                       imageRiseBeyondRow(s, x, low.y + 2.0, size, lane, address), at - low) * size;
 }
 
-// Width and height of a picture, texels.
+// Width and height of an image in texels.
 vec2 pictureSize(sampler2D s) {
     return vec2(textureSize(s, 0));
 }
 
-// v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
-// no square over- or underflows, and a great one is scaled down before, so that its reciprocal does not. Relative error 2e-7.
+// v / |v| for every finite v; (0, 0, 1) if all components are below 1e-37. v is divided by its
+// largest component, so no square over- or underflows; large vectors are scaled down first, so the
+// reciprocal does not underflow. Relative error 2e-7.
 vec3 safeNormalize(vec3 v) {
     float greatest = max(max(abs(v.x), abs(v.y)), abs(v.z));
     float scale = greatest > 1.0e37 ? 1.0 / 1024.0 : 1.0;
@@ -72,27 +76,29 @@ vec3 safeNormalize(vec3 v) {
     return greatest < 1.0e-37 ? vec3(0.0, 0.0, 1.0) : unit;
 }
 
-// A world direction in eye space; the matrix is a rotation, so that lengths and angles stay.
+// Transforms a direction from world to eye space. The matrix is a rotation: lengths and angles are
+// kept.
 vec3 eyeFromWorld(vec3 d) {
     return matc_eyeFromWorld * d;
 }
 
-// Unit normal to the plane of an octahedron in [-1, 1]^2: n / (|x| + |y| + |z|), its lower half folded outward. (0, 0, 0) gives
-// (0, 0), which is +z. No sign(): it is 0 at 0, where the fold wants 1. Error 2e-7.
+// Octahedral encoding of a unit normal in [-1, 1]^2: n / (|x| + |y| + |z|), the lower half folded
+// outward. (0, 0, 0) encodes as +z. sign() would be 0 at 0, where the fold needs 1. Error 2e-7.
 vec2 encodeOctahedral(vec3 n) {
     vec2 p = n.xy / max(abs(n.x) + abs(n.y) + abs(n.z), 1.0e-30);
     vec2 side = vec2(p.x < 0.0 ? -1.0 : 1.0, p.y < 0.0 ? -1.0 : 1.0);
     return n.z < 0.0 ? (1.0 - abs(p.yx)) * side : p;
 }
 
-// Unit normal to two whole numbers in [-s, s], s = 2^(bits-1) - 1, by the nearest point of the octahedron. The axes have codes
-// of their own. A half float holds them exactly for bits <= 12. The power is exact: exp2 errs by less than 1/2 for bits <= 16.
+// Quantizes a unit normal to two integers in [-s, s], s = 2^(bits-1) - 1, on the octahedron. The
+// axes are exact. A half float holds them exactly for bits <= 12. floor() makes exp2 exact for bits
+// <= 16.
 vec2 octahedralWhole(vec3 n, int bits) {
     float scale = floor(exp2(float(bits - 1)) + 0.5) - 1.0;
     return floor(encodeOctahedral(n) * scale + 0.5);
 }
 
-// The two whole numbers of octahedralWhole, moved up to begin at 0, in 2 bits bits: x in the lower ones.
+// Packs octahedralWhole, offset to start at 0, in 2 * bits bits: x in the lower half.
 uint octahedralBits(vec3 n, int bits) {
     float scale = float((1 << (bits - 1)) - 1);
     uvec2 code = uvec2(octahedralWhole(n, bits) + scale);

@@ -12,15 +12,16 @@ uniform mat3 matc_eyeFromWorld;
 uniform sampler2D carpenterTexture0;
 layout(location = 0) out uvec4 fragment0;
 
-// A bijective finaliser, two rounds of shift and multiply, so that the top bits of every shift of the hash are good.
+// Bijective hash finalizer, two xorshift-multiply rounds: the top bits of every shifted hash are
+// well mixed.
 uvec4 latticeFinal(uvec4 h) {
     h = (h ^ (h >> 16u)) * 0x7FEB352Du;
     h = (h ^ (h >> 15u)) * 0x846CA68Bu;
     return h ^ (h >> 16u);
 }
 
-// Hashes of the eight corners of a cell, lanes as latticeMix takes them: xor of the coordinates' products, then a finaliser.
-// The wrap to [0, 65536) is exact for every finite cell: its steps only scale by powers of two and drop high digits.
+// Hashes of a cell's eight corners, in latticeMix's order: xor of products, then a finalizer. The
+// wrap to [0, 65536) is exact for every finite cell.
 void latticeCorners(vec3 cell, out uvec4 low, out uvec4 high) {
     const uvec3 factor = uvec3(0x9E3779B1u, 0x85EBCA77u, 0xC2B2AE3Du);
     uvec3 c = uvec3(ivec3(cell - 65536.0 * floor(cell * (1.0 / 65536.0))));
@@ -31,7 +32,8 @@ void latticeCorners(vec3 cell, out uvec4 low, out uvec4 high) {
     high = latticeFinal(square ^ (c1.z + 0x165667B1u));
 }
 
-// Mixes eight corner terms, lanes (x, y) = (0,0) (1,0) (0,1) (1,1), z = 0 in `low` and 1 in `high`, with weights 3d^2 - 2d^3.
+// Mixes eight corner terms with weights 3d^2 - 2d^3. Order: (x, y) = (0,0) (1,0) (0,1) (1,1), z = 0
+// in `low` and 1 in `high`.
 float latticeMix(vec4 low, vec4 high, vec3 d) {
     vec3 s = d * d * (3.0 - 2.0 * d);
     vec4 plane = mix(low, high, s.z);
@@ -39,11 +41,12 @@ float latticeMix(vec4 low, vec4 high, vec3 d) {
     return mix(line.x, line.y, s.x);
 }
 
-// A hash read as a signed number is this much of 1.
+// Scales a signed 32-bit hash to [-1, 1].
 const float latticeScale = 1.0 / 2147483648.0;
 
-// Value plus gradient terms of a face's four corners, times 2^31; d is the offset from the first corner.
-// A corner's numbers are its hash shifted left by 0, 7, 14, 21 and read as signed: uniform, symmetric to 2^-11, no masks.
+// Value plus gradient terms of a face's four corners, times 2^31; d is the offset from the first
+// corner. The numbers are the hash shifted left by 0, 7, 14, 21, read as signed: uniform, symmetric
+// to 2^-11.
 vec4 latticeTerms(uvec4 hash, vec3 d) {
     vec4 dx = vec4(d.x, d.x - 1.0, d.x, d.x - 1.0);
     vec4 dy = vec4(d.yy, d.yy - 1.0);
@@ -51,21 +54,22 @@ vec4 latticeTerms(uvec4 hash, vec3 d) {
          + vec4(ivec4(hash << 21u)) * d.z;
 }
 
-// Lattice noise at a point of a cell, d in [0, 1): at each corner a value and a gradient from a hash, smoothly interpolated.
-// About [-1, 1], standard deviation 1/4, period 65536 an axis. Error below 1e-6 of the reference at the same floats.
+// Lattice noise at position d in [0, 1) in a cell: hashed value and gradient per corner, smoothly
+// interpolated. About [-1, 1], standard deviation 1/4, period 65536 per axis. Error 1e-6.
 float lattice(vec3 cell, vec3 d) {
     uvec4 low, high;
     latticeCorners(cell, low, high);
     return latticeMix(latticeTerms(low, d), latticeTerms(high, d - vec3(0.0, 0.0, 1.0)), d) * latticeScale;
 }
 
-// Noise in [-1, 1], standard deviation 1/2. About one sample in twenty is clamped. Error 2e-6, in simplex noise too.
+// Noise in [-1, 1], standard deviation 1/2. About 1 sample in 20 is clamped. Error 2e-6, also for
+// simplex noise.
 float noise(vec3 p) {
     vec3 cell = floor(p);
     return clamp(2.0 * lattice(cell, p - cell), -1.0, 1.0);
 }
 
-// Six octaves of |noise(4 2^k p)| - 1/2, each half as strong as the last; in [-63/64, 63/64]. Error 4e-6.
+// Six octaves of |noise(4 2^k p)| - 1/2 with amplitudes 2^-k; in [-63/64, 63/64]. Error 4e-6.
 float granite(vec3 p) {
     vec3 q = 4.0 * p;
     float strength = 1.0;
@@ -78,8 +82,8 @@ float granite(vec3 p) {
     return sum;
 }
 
-// Low four bits of Jenkins' hash of `count` whole numbers, 2 or 3, |cell| <= 2^24: the final mix of his lookup3, begun at 0xDEADBEEF + 4 count + 13,
-// as OSL and MaterialX have it. Of two, cell.z is 0. Exact.
+// Low four bits of Jenkins' hash of `count` (2 or 3) integers, |cell| <= 2^24: lookup3's final mix,
+// seeded with 0xDEADBEEF + 4 count + 13 as in OSL and MaterialX. For count 2, cell.z is 0. Exact.
 uint perlinHashTurned(uint bits, int by) {
     return (bits << by) | (bits >> (32 - by));
 }
@@ -96,8 +100,9 @@ float perlinHash(vec3 cell, int count) {
     return float(h.z & 15u);
 }
 
-// What Perlin's noise rises along at a corner of a cell, times 0.9820 or 0.6616, by which values lie in about [-1, 1]: to the middle of one of the
-// twelve edges of a cube, four of which count twice; of two dimensions (+-1, +-2) or (+-2, +-1). Exact but for the factor's rounding.
+// Gradient of Perlin noise at a corner, times 0.9820 (3D) or 0.6616 (2D) so that the noise is in
+// about [-1, 1]: the middle of one of a cube's 12 edges (four count twice), in 2D (+-1, +-2) or
+// (+-2, +-1). Exact but for the factor's rounding.
 vec3 perlinDirection(vec3 corner, int dimensions) {
     float h = perlinHash(corner, dimensions);
     float pairs = floor(h * 0.5);
@@ -110,8 +115,9 @@ vec3 perlinDirection(vec3 corner, int dimensions) {
     return 0.982 * (h == 12.0 || h == 14.0 ? vec3(t, s, 0.0) : vec3(0.0, s, t));
 }
 
-// Perlin's noise of 2002 of p, or of x and y alone, by the hash that OSL and MaterialX have: between the corners of a cell, what rises from 0 at each
-// of them, mixed by 6 t^5 - 15 t^4 + 10 t^3. Coordinates are cut at 2^24, where floats have no fractions and the noise is 0. Error 1e-6.
+// Perlin's improved noise (2002) in 2D or 3D, with the hash of OSL and MaterialX and the fade 6t^5
+// - 15t^4 + 10t^3. Coordinates are clamped to 2^24, where floats have no fraction and the noise is
+// 0. Error 1e-6.
 float perlinOctave(vec3 p, int dimensions) {
     vec3 q = clamp(p, -16777216.0, 16777216.0) * vec3(1.0, 1.0, dimensions < 3 ? 0.0 : 1.0);
     vec3 cell = floor(q);
@@ -127,8 +133,9 @@ float perlinOctave(vec3 p, int dimensions) {
     return sum;
 }
 
-// Octaves of Perlin's noise: the sum over k < octaves of diminish^k N(lacunarity^k p), coordinates cut at 2^24 in each. Error 2e-6 of the sum of
-// |diminish|^k, where lacunarity is a power of two; else what rounding makes of the coordinates as well.
+// Fractal Perlin noise: the sum over k < octaves of diminish^k N(lacunarity^k p), coordinates
+// clamped to 2^24. Error 2e-6 of the sum of |diminish|^k if lacunarity is a power of two; otherwise
+// rounding of coordinates adds to it.
 float perlin(vec3 p, int octaves, float lacunarity, float diminish, int dimensions) {
     vec3 q = clamp(p, -16777216.0, 16777216.0);
     float strength = 1.0;
@@ -141,8 +148,9 @@ float perlin(vec3 p, int octaves, float lacunarity, float diminish, int dimensio
     return sum;
 }
 
-// Jenkins' hash of whole numbers, |cell| <= 2^24: lookup3 of `count` of them, 2 or 3, begun at 0xDEADBEEF + 4 count + 13, as OSL and MaterialX have it, over
-// 2^32 - 1. Of two, cell.z is 0. Error 1e-7. jenkinsPlaces: those of the numbers and a further one, 0 to `dimensions` - 1, by lanes.
+// Jenkins' lookup3 hash of `count` (2 or 3) integers, |cell| <= 2^24, over 2^32 - 1, seeded with
+// 0xDEADBEEF + 4 count + 13 as in OSL and MaterialX. For count 2, cell.z is 0. Error 1e-7.
+// jenkinsPlaces also hashes the component index 0 to `dimensions` - 1.
 uint jenkinsTurned(uint bits, int by) {
     return (bits << by) | (bits >> (32 - by));
 }
@@ -181,15 +189,16 @@ vec3 jenkinsPlaces(vec3 cell, int dimensions) {
     return vec3(jenkinsEnd(h), jenkinsEnd(h + uvec3(1u, 0u, 0u)), jenkinsEnd(h + uvec3(2u, 0u, 0u)));
 }
 
-// A number in [0, 1] for each cube between whole numbers, or square of x and y, as MaterialX's cellnoise3d and cellnoise2d have it. Coordinates are cut at 2^24.
-// Error 1e-7.
+// Random number in [0, 1] per unit cube (or unit square), as MaterialX's cellnoise3d and
+// cellnoise2d. Coordinates are clamped to 2^24. Error 1e-7.
 float cellNoise(vec3 p, int dimensions) {
     vec3 q = clamp(p, -16777216.0, 16777216.0) * vec3(1.0, 1.0, dimensions < 3 ? 0.0 : 1.0);
     return jenkins(floor(q), dimensions);
 }
 
-// Of points of which each cell has one, `jitter` times as far from its middle as chance says, the nearest of the cell of p and those beside it: how far p is
-// away from it, and its cell. Coordinates are cut at 2^24; of two dimensions z is 0. Error 3e-7.
+// Finds the nearest cell point in the 3 x 3 (x 3) neighborhood of p: `away` is p minus the point,
+// `nearest` its cell. Each cell has one random point; `jitter` scales its offset from the center.
+// Coordinates are clamped to 2^24; in 2D z is 0. Error 3e-7.
 void worleySearch(vec3 p, float jitter, int dimensions, out vec3 away, out vec3 nearest) {
     vec3 axes = vec3(1.0, 1.0, dimensions < 3 ? 0.0 : 1.0);
     vec3 q = clamp(p, -16777216.0, 16777216.0) * axes;
@@ -213,15 +222,17 @@ void worleySearch(vec3 p, float jitter, int dimensions, out vec3 away, out vec3 
     }
 }
 
-// Distance to the nearest of points at random, or, with `style` 1, the number of its cell, as MaterialX's worleynoise3d and worleynoise2d have it. Error 1e-6.
+// Distance to the nearest random point or, for style 1, its cell's number, as MaterialX's
+// worleynoise3d and worleynoise2d. Error 1e-6.
 float worley(vec3 p, float jitter, int style, int dimensions) {
     vec3 away, nearest;
     worleySearch(p, jitter, dimensions, away, nearest);
     return style > 0 ? jenkins(nearest, dimensions) : length(away);
 }
 
-// Julia set of c = cx + i cy: z from 4 (fraction of p.xy) - 2 on; the share of `iterations` steps z^2 + c that stay within
-// |z| <= 2, laid over [-1, 1]. Next to the set's edge rounding may change the number of steps.
+// Julia set of c = (cx, cy): z starts at 4 fract(p.xy) - 2. Returns the fraction of `iterations`
+// steps z^2 + c with |z| <= 2, scaled to [-1, 1]. Rounding may change the count near the set's
+// border.
 float julia(vec3 p, int iterations, float cx, float cy) {
     vec2 z = 4.0 * fract(p.xy) - 2.0;
     int steps = 0;
@@ -233,7 +244,7 @@ float julia(vec3 p, int iterations, float cx, float cy) {
     return 2.0 * float(steps) / max(float(iterations), 1.0) - 1.0;
 }
 
-// Gradient of wood, then its value; on the axis the gradient is 0. Error 3e-7, of the value relative.
+// Gradient (xyz; 0 on the axis) and value (w) of wood. Error 3e-7, relative for the value.
 vec4 woodGradient(vec3 p) {
     vec2 a = clamp(p.xy, -1.0e37, 1.0e37);
     float greater = max(max(abs(a.x), abs(a.y)), 1.0e-37);
@@ -242,19 +253,21 @@ vec4 woodGradient(vec3 p) {
     return vec4(unit / max(size, 1.0), 0.0, greater * size);
 }
 
-// v, taken to [0, 1], as the nearest of 2^bits equal steps, bits <= 16.
+// Quantizes v, clamped to [0, 1], to `bits` <= 16 bits, rounding to nearest.
 uint unormBits(float v, int bits) {
     return uint(floor(clamp(v, 0.0, 1.0) * float((1 << bits) - 1) + 0.5));
 }
 
-// The square root of v, taken to [0, 1], as the nearest of 2^bits equal steps: steps of v that shrink towards 0, as an eye's do.
+// Quantizes sqrt(v), v clamped to [0, 1], to `bits` bits: finer steps near 0, like perceived
+// lightness.
 uint rootBits(float v, int bits) {
     return unormBits(sqrt(clamp(v, 0.0, 1.0)), bits);
 }
 
-// Three numbers >= 0 with one exponent: mantissas m of `bits` bits, 4 to 9, and above them an exponent e of 5:
-// v = m 2^(e - 15 - bits), at most 65536 (1 - 2^-bits). With 9 bits that is the texture format RGB9E5. The exponent is read from
-// the float's own, so that no logarithm errs; where a mantissa is rounded up to 2^bits, the next exponent is taken.
+// Packs three numbers >= 0 with a shared exponent: mantissas m of `bits` bits (4 to 9), then a
+// 5-bit exponent e: v = m 2^(e - 15 - bits), at most 65536 (1 - 2^-bits). 9 bits are the format
+// RGB9E5. The float's own exponent is used, so no logarithm errs. A mantissa that rounds to 2^bits
+// uses the next exponent.
 uint sharedExponentBits(vec3 v, int bits) {
     float steps = float(1 << bits);
     vec3 c = clamp(v, 0.0, 65536.0 - 65536.0 / steps);
@@ -266,8 +279,8 @@ uint sharedExponentBits(vec3 v, int bits) {
     return m.x | m.y << bits | m.z << (2 * bits) | uint(e) << (3 * bits);
 }
 
-// Mandelbrot set: c = 4 (fraction of p.xy) - 2, z from c on; the share of `iterations` steps z^2 + c that stay within
-// |z| <= 2, laid over [-1, 1]. Next to the set's edge rounding may change the number of steps.
+// Mandelbrot set: c = 4 fract(p.xy) - 2, z starts at c. Returns the fraction of `iterations` steps
+// z^2 + c with |z| <= 2, scaled to [-1, 1]. Rounding may change the count near the set's border.
 float mandel(vec3 p, int iterations) {
     vec2 c = 4.0 * fract(p.xy) - 2.0;
     vec2 z = c;
@@ -280,13 +293,13 @@ float mandel(vec3 p, int iterations) {
     return 2.0 * float(steps) / max(float(iterations), 1.0) - 1.0;
 }
 
-// A second, unrelated hash out of a corner's hash: one round, since the first is already mixed.
+// Derives a second, unrelated hash from a corner's hash. One round suffices for a mixed hash.
 uvec4 latticeNext(uvec4 hash) {
     hash = (hash ^ (hash >> 15u)) * 0x2C1B3C6Du;
     return hash ^ (hash >> 16u);
 }
 
-// Three lattice noises at a point of a cell: the first is lattice(cell, d), the others take further hashes of the same corners.
+// Three lattice noises at position d in a cell: x is lattice(cell, d); y and z use further hashes.
 vec3 vectorNoise(vec3 cell, vec3 d) {
     vec3 e = d - vec3(0.0, 0.0, 1.0);
     vec3 sum;
@@ -302,8 +315,8 @@ vec3 vectorNoise(vec3 cell, vec3 d) {
     return sum * latticeScale;
 }
 
-// Sum of octaves noiseRatio^k vectorNoise(frequencyRatio^k p), k from 0; at least one. Signed and not normalised. Error as of
-// turbulence.
+// Sum of octaves noiseRatio^k vectorNoise(frequencyRatio^k p), k from 0; at least one. Signed, not
+// normalized. Error of turbulence.
 vec3 vectorTurbulence(vec3 p, int octaves, float frequencyRatio, float noiseRatio) {
     int count = octaves > 1 ? octaves : 1;
     float strength = 1.0;
@@ -317,9 +330,9 @@ vec3 vectorTurbulence(vec3 p, int octaves, float frequencyRatio, float noiseRati
     return sum;
 }
 
-// Exponent of a Phong lobe for a shininess x: -2 / ln y, y = x (2 - x), 0 for y <= 0, at most 65504. Relative error 8e-7.
-// Near x = 1 the logarithm would lose its digits: there, with w = 1 - y = (1 - x)^2 and s = w / (2 - w), ln y is
-// -2 (s + s^3/3 + s^5/5 + s^7/7 + ...); for w <= 1/4 the rest is below 2e-8 of it.
+// Phong exponent of a shininess x: -2 / ln y, y = x (2 - x), at most 65504; 0 for y <= 0. Relative
+// error 8e-7. Near x = 1 a series avoids cancellation: with w = (1 - x)^2 and s = w / (2 - w), ln y
+// is -2 (s + s^3/3 + s^5/5 + s^7/7 + ...); for w <= 1/4 the remainder is below 2e-8 relative.
 float phongExponent(float x) {
     float y = x * (2.0 - x);
     float w = min((1.0 - x) * (1.0 - x), 0.25);
@@ -331,8 +344,9 @@ float phongExponent(float x) {
     return y > 0.0 ? exponent : 0.0;
 }
 
-// Sum of octaves noiseRatio^k noise(frequencyRatio^k p), k from 0; at least one. Signed and not normalised.
-// Error that of noise, to the sum of the strengths, where frequencyRatio is a power of two; other ratios round p.
+// Sum of octaves noiseRatio^k noise(frequencyRatio^k p), k from 0; at least one. Signed, not
+// normalized. Error of noise times the sum of amplitudes if frequencyRatio is a power of two; other
+// ratios round p.
 float turbulence(vec3 p, int octaves, float frequencyRatio, float noiseRatio) {
     int count = octaves > 1 ? octaves : 1;
     float strength = 1.0;
@@ -345,24 +359,24 @@ float turbulence(vec3 p, int octaves, float frequencyRatio, float noiseRatio) {
     return sum;
 }
 
-// Sine by lane. As accurate as the sine.
+// Component-wise sine. Error of sin().
 vec3 sine3(vec3 x) {
     return sin(x);
 }
 
-// sin(x) / x by lane, x not negative: 1 - x^2 / 6 near 0, where the quotient would lose digits. Error 3e-7.
+// Component-wise sin(x) / x, x >= 0; 1 - x^2 / 6 near 0 avoids loss of digits. Error 3e-7.
 vec3 sinc(vec3 x) {
     vec3 near = 1.0 - x * x * (1.0 / 6.0);
     vec3 far = sine3(x) / max(x, 1.0e-2);
     return mix(far, near, step(x, vec3(1.0e-2)));
 }
 
-// Cosine by lane. As accurate as the cosine.
+// Component-wise cosine. Error of cos().
 vec3 cosine3(vec3 x) {
     return cos(x);
 }
 
-// Gradient by p of leopardFiltered, then its value. Error 5e-7 where sin and cos have 1e-7.
+// Gradient by p (xyz) and value (w) of leopardFiltered. Error 5e-7 if sin and cos err by 1e-7.
 vec4 leopardFilteredGradient(vec3 p, vec3 edge) {
     vec3 sine = sine3(p);
     vec3 left = sinc(0.5 * edge);
@@ -374,19 +388,21 @@ vec4 leopardFilteredGradient(vec3 p, vec3 edge) {
     return vec4(cosine3(p) * ((sum - mean) * left + sine * leftOfTwice) * (2.0 / 9.0), value);
 }
 
-// sin(x / 2) / (x / 2), x not negative: what is left of a sine over a box of edge x. Error 2e-7.
+// sin(x / 2) / (x / 2), x >= 0: attenuation of a sine by a box of edge x. Error 2e-7.
 float sincMean(float x) {
     float h = 0.5 * x;
     return h < 1.0e-2 ? 1.0 - h * h * (1.0 / 6.0) : sin(h) / max(h, 1.0e-2);
 }
 
-// Texel (i.x, i.y) of the base level, whatever the sampler's state; i is whole and inside the picture.
+// Texel (i.x, i.y) of mipmap level 0, independent of the sampler; i is integral and inside the
+// image.
 vec4 texel(sampler2D s, vec2 i, vec2 size) {
     return texelFetch(s, ivec2(i), 0);
 }
 
-// A synthetic texture of one lane, repeated, mixed as GroIMP does: size * uv is cut toward zero, so that a negative coordinate
-// has a negative weight and extrapolates. Whole turns of uv are dropped first, which changes nothing and is exact.
+// Samples a synthetic single-channel texture, repeated and bilinear as in GroIMP: size * uv is
+// truncated toward zero, so a negative coordinate extrapolates with a negative weight. fract()
+// removes whole periods exactly.
 float carpenterRelief(sampler2D s, vec2 uv, vec2 size) {
     vec2 side = 1.0 - 2.0 * vec2(lessThan(uv, vec2(0.0)));
     vec2 at = fract(abs(uv)) * size;
@@ -400,8 +416,9 @@ float carpenterRelief(sampler2D s, vec2 uv, vec2 size) {
                mix(texel(s, vec2(low.x, high.y), size).r, texel(s, high, size).r, weight.x), weight.y);
 }
 
-// v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
-// no square over- or underflows, and a great one is scaled down before, so that its reciprocal does not. Relative error 2e-7.
+// v / |v| for every finite v; (0, 0, 1) if all components are below 1e-37. v is divided by its
+// largest component, so no square over- or underflows; large vectors are scaled down first, so the
+// reciprocal does not underflow. Relative error 2e-7.
 vec3 safeNormalize(vec3 v) {
     float greatest = max(max(abs(v.x), abs(v.y)), abs(v.z));
     float scale = greatest > 1.0e37 ? 1.0 / 1024.0 : 1.0;
@@ -410,35 +427,37 @@ vec3 safeNormalize(vec3 v) {
     return greatest < 1.0e-37 ? vec3(0.0, 0.0, 1.0) : unit;
 }
 
-// A world direction in eye space; the matrix is a rotation, so that lengths and angles stay.
+// Transforms a direction from world to eye space. The matrix is a rotation: lengths and angles are
+// kept.
 vec3 eyeFromWorld(vec3 d) {
     return matc_eyeFromWorld * d;
 }
 
-// Unit normal to the plane of an octahedron in [-1, 1]^2: n / (|x| + |y| + |z|), its lower half folded outward. (0, 0, 0) gives
-// (0, 0), which is +z. No sign(): it is 0 at 0, where the fold wants 1. Error 2e-7.
+// Octahedral encoding of a unit normal in [-1, 1]^2: n / (|x| + |y| + |z|), the lower half folded
+// outward. (0, 0, 0) encodes as +z. sign() would be 0 at 0, where the fold needs 1. Error 2e-7.
 vec2 encodeOctahedral(vec3 n) {
     vec2 p = n.xy / max(abs(n.x) + abs(n.y) + abs(n.z), 1.0e-30);
     vec2 side = vec2(p.x < 0.0 ? -1.0 : 1.0, p.y < 0.0 ? -1.0 : 1.0);
     return n.z < 0.0 ? (1.0 - abs(p.yx)) * side : p;
 }
 
-// Unit normal to two whole numbers in [-s, s], s = 2^(bits-1) - 1, by the nearest point of the octahedron. The axes have codes
-// of their own. A half float holds them exactly for bits <= 12. The power is exact: exp2 errs by less than 1/2 for bits <= 16.
+// Quantizes a unit normal to two integers in [-s, s], s = 2^(bits-1) - 1, on the octahedron. The
+// axes are exact. A half float holds them exactly for bits <= 12. floor() makes exp2 exact for bits
+// <= 16.
 vec2 octahedralWhole(vec3 n, int bits) {
     float scale = floor(exp2(float(bits - 1)) + 0.5) - 1.0;
     return floor(encodeOctahedral(n) * scale + 0.5);
 }
 
-// The two whole numbers of octahedralWhole, moved up to begin at 0, in 2 bits bits: x in the lower ones.
+// Packs octahedralWhole, offset to start at 0, in 2 * bits bits: x in the lower half.
 uint octahedralBits(vec3 n, int bits) {
     float scale = float((1 << (bits - 1)) - 1);
     uvec2 code = uvec2(octahedralWhole(n, bits) + scale);
     return code.x | code.y << bits;
 }
 
-// v by equal steps of its logarithm: code 0 is 0, code 1 is 1/16, the last is 65504 = 2^(19.9992954 - 4); below 1/32 it is 0.
-// bits from 4 to 16.
+// Quantizes v in equal steps of log2: code 0 is 0, code 1 is 1/16, the last is 65504 =
+// 2^(19.9992954 - 4). Values below 1/32 become 0. bits in [4, 16].
 uint logarithmBits(float v, int bits) {
     int steps = (1 << bits) - 2;
     float place = (log2(clamp(v, 0.0625, 65504.0)) + 4.0) * (float(steps) / 19.9992954);

@@ -5,7 +5,7 @@ in vec3 localPosition;
 in vec3 eyeNormal;
 layout(location = 0) out uvec4 fragment0;
 
-// p + rest as a whole cell, less whole periods of 2^25, and a place in it in [0, 1). Exact.
+// Splits p + rest into an integer cell, modulo 2^25, and a position d in [0, 1) in the cell. Exact.
 void cellsCell3(vec3 p, vec3 rest, out vec3 cell, out vec3 d) {
     cell = floor(p);
     d = p - cell + rest;
@@ -14,7 +14,7 @@ void cellsCell3(vec3 p, vec3 rest, out vec3 cell, out vec3 d) {
     cell = cell - 33554432.0 * floor(cell * (1.0 / 33554432.0) + 0.5) + over;
 }
 
-// Hash of the cell that lies `offset` from another, with a period of 2^25 along each axis: all 32 bits are good.
+// 32-bit hash of cell + offset, with a period of 2^25 per axis; every bit is well mixed.
 uint cellsHash3(vec3 cell, vec3 offset) {
     uvec3 c = (uvec3(ivec3(cell) + ivec3(offset)) & 33554431u) * uvec3(0x9E3779B1u, 0x85EBCA77u, 0xC2B2AE3Du);
     uint h = c.x ^ c.y ^ (c.z + 0x165667B1u);
@@ -23,28 +23,29 @@ uint cellsHash3(vec3 cell, vec3 offset) {
     return h ^ (h >> 16u);
 }
 
-// A number of 24 bits in [0, 1) out of a cell's hash, of which its place knows nothing.
+// A 24-bit number in [0, 1) from a cell's hash, independent of its point's position.
 float cellsNumber(uint hash) {
     hash = (hash ^ (hash >> 15u)) * 0x2C1B3C6Du;
     return float((hash ^ (hash >> 16u)) >> 8u) * (1.0 / 16777216.0);
 }
 
-// How far away a point is: 0 by the square of its euclidean distance, 1 by the sum, 2 by the greatest of its coordinates.
+// Distance of an offset, for comparison. Metric 0: Euclidean, squared; 1: Manhattan; 2: Chebyshev.
 float cellsFar3(vec3 away, int metric) {
     vec3 a = abs(away);
     return metric == 0 ? dot(away, away) : metric == 1 ? a.x + a.y + a.z : max(a.x, max(a.y, a.z));
 }
 
-// Where a cell's point lies in it: 2048, 2048 and 1024 places along the axes, in (0, 1).
+// Position of a cell's point in the cell, in (0, 1): 2048, 2048 and 1024 steps along x, y, z.
 vec3 cellsPlace3(vec3 cell, vec3 offset) {
     uint h = cellsHash3(cell, offset);
     return (vec3(uvec3(h >> 21u, (h >> 10u) & 2047u, h & 1023u)) + 0.5) * vec3(1.0 / 2048.0, 1.0 / 2048.0, 1.0 / 1024.0);
 }
 
-// The points nearest to d in a cell, as (away, far); the second is known where `count` is 2. The 27 cells around are asked first. Points of ring r,
-// of cells that are r away, are at least r - |d - 1/2| - jitter/2 away along an axis: where that is no nearer than what was found, which is nearly
-// always for euclidean distances, the search ends; else those of its cells are asked that may have a nearer one. compiler/library/cells.h proves
-// that none lies beyond ring 3.
+// Finds the points nearest to d in a cell, as (offset, cellsFar3); `second` is valid only for count
+// 2. Visits the 3 x 3 x 3 neighborhood first. Points of ring r are at least r - |d - 1/2| -
+// jitter/2 away along an axis, so the search usually ends there for Euclidean distances; otherwise
+// it visits the cells of rings 2 and 3 that may hold a nearer point. cells.h proves that ring 3
+// suffices.
 void cellsSearch3Visit(vec3 away, int metric, inout vec4 first, inout vec4 second) {
     float far = cellsFar3(away, metric);
     if (far < first.w) {
@@ -82,7 +83,8 @@ void cellsSearch3(vec3 cell, vec3 d, float jitter, int metric, int count, out ve
     }
 }
 
-// The random number in [0, 1] of the cell whose point is nearest to p + rest. Jumps where points are equally near; exact elsewhere.
+// Random number in [0, 1] of the cell whose point is nearest to p + rest. Discontinuous at cell
+// borders; exact elsewhere.
 float cells3Random(vec3 p, vec3 rest, float jitter, int metric) {
     vec3 cell, d;
     vec4 first, second;
@@ -91,8 +93,9 @@ float cells3Random(vec3 p, vec3 rest, float jitter, int metric) {
     return cellsNumber(cellsHash3(cell, floor(d + first.xyz)));
 }
 
-// v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
-// no square over- or underflows, and a great one is scaled down before, so that its reciprocal does not. Relative error 2e-7.
+// v / |v| for every finite v; (0, 0, 1) if all components are below 1e-37. v is divided by its
+// largest component, so no square over- or underflows; large vectors are scaled down first, so the
+// reciprocal does not underflow. Relative error 2e-7.
 vec3 safeNormalize(vec3 v) {
     float greatest = max(max(abs(v.x), abs(v.y)), abs(v.z));
     float scale = greatest > 1.0e37 ? 1.0 / 1024.0 : 1.0;
@@ -101,20 +104,20 @@ vec3 safeNormalize(vec3 v) {
     return greatest < 1.0e-37 ? vec3(0.0, 0.0, 1.0) : unit;
 }
 
-// Sine by lane. As accurate as the sine.
+// Component-wise sine. Error of sin().
 vec3 sine3(vec3 x) {
     return sin(x);
 }
 
-// sin(x) / x by lane, x not negative: 1 - x^2 / 6 near 0, where the quotient would lose digits. Error 3e-7.
+// Component-wise sin(x) / x, x >= 0; 1 - x^2 / 6 near 0 avoids loss of digits. Error 3e-7.
 vec3 sinc(vec3 x) {
     vec3 near = 1.0 - x * x * (1.0 / 6.0);
     vec3 far = sine3(x) / max(x, 1.0e-2);
     return mix(far, near, step(x, vec3(1.0e-2)));
 }
 
-// Mean of leopard over a box around p, exact where its axes are independent: (sum of sin)^2 / 9 from the means of sin and sin^2.
-// Error 4.3e-7 where sin and cos have 1e-7.
+// Mean of leopard over a box around p: (sum of sin)^2 / 9 from the means of sin and sin^2, exact
+// for independent axes. Error 4.3e-7 if sin and cos err by 1e-7.
 float leopardFiltered(vec3 p, vec3 edge) {
     vec3 sine = sine3(p);
     vec3 mean = sine * sinc(0.5 * edge);
@@ -123,32 +126,34 @@ float leopardFiltered(vec3 p, vec3 edge) {
     return max(sum * sum + dot(square - mean * mean, vec3(1.0)), 0.0) * (1.0 / 9.0);
 }
 
-// v, taken to [0, 1], as the nearest of 2^bits equal steps, bits <= 16.
+// Quantizes v, clamped to [0, 1], to `bits` <= 16 bits, rounding to nearest.
 uint unormBits(float v, int bits) {
     return uint(floor(clamp(v, 0.0, 1.0) * float((1 << bits) - 1) + 0.5));
 }
 
-// The square root of v, taken to [0, 1], as the nearest of 2^bits equal steps: steps of v that shrink towards 0, as an eye's do.
+// Quantizes sqrt(v), v clamped to [0, 1], to `bits` bits: finer steps near 0, like perceived
+// lightness.
 uint rootBits(float v, int bits) {
     return unormBits(sqrt(clamp(v, 0.0, 1.0)), bits);
 }
 
-// Unit normal to the plane of an octahedron in [-1, 1]^2: n / (|x| + |y| + |z|), its lower half folded outward. (0, 0, 0) gives
-// (0, 0), which is +z. No sign(): it is 0 at 0, where the fold wants 1. Error 2e-7.
+// Octahedral encoding of a unit normal in [-1, 1]^2: n / (|x| + |y| + |z|), the lower half folded
+// outward. (0, 0, 0) encodes as +z. sign() would be 0 at 0, where the fold needs 1. Error 2e-7.
 vec2 encodeOctahedral(vec3 n) {
     vec2 p = n.xy / max(abs(n.x) + abs(n.y) + abs(n.z), 1.0e-30);
     vec2 side = vec2(p.x < 0.0 ? -1.0 : 1.0, p.y < 0.0 ? -1.0 : 1.0);
     return n.z < 0.0 ? (1.0 - abs(p.yx)) * side : p;
 }
 
-// Unit normal to two whole numbers in [-s, s], s = 2^(bits-1) - 1, by the nearest point of the octahedron. The axes have codes
-// of their own. A half float holds them exactly for bits <= 12. The power is exact: exp2 errs by less than 1/2 for bits <= 16.
+// Quantizes a unit normal to two integers in [-s, s], s = 2^(bits-1) - 1, on the octahedron. The
+// axes are exact. A half float holds them exactly for bits <= 12. floor() makes exp2 exact for bits
+// <= 16.
 vec2 octahedralWhole(vec3 n, int bits) {
     float scale = floor(exp2(float(bits - 1)) + 0.5) - 1.0;
     return floor(encodeOctahedral(n) * scale + 0.5);
 }
 
-// The two whole numbers of octahedralWhole, moved up to begin at 0, in 2 bits bits: x in the lower ones.
+// Packs octahedralWhole, offset to start at 0, in 2 * bits bits: x in the lower half.
 uint octahedralBits(vec3 n, int bits) {
     float scale = float((1 << (bits - 1)) - 1);
     uvec2 code = uvec2(octahedralWhole(n, bits) + scale);

@@ -5,8 +5,9 @@ in vec3 eyeNormal;
 layout(location = 0) out vec4 fragment0;
 layout(location = 1) out vec4 fragment1;
 
-// v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
-// no square over- or underflows, and a great one is scaled down before, so that its reciprocal does not. Relative error 2e-7.
+// v / |v| for every finite v; (0, 0, 1) if all components are below 1e-37. v is divided by its
+// largest component, so no square over- or underflows; large vectors are scaled down first, so the
+// reciprocal does not underflow. Relative error 2e-7.
 vec3 safeNormalize(vec3 v) {
     float greatest = max(max(abs(v.x), abs(v.y)), abs(v.z));
     float scale = greatest > 1.0e37 ? 1.0 / 1024.0 : 1.0;
@@ -15,16 +16,16 @@ vec3 safeNormalize(vec3 v) {
     return greatest < 1.0e-37 ? vec3(0.0, 0.0, 1.0) : unit;
 }
 
-// Unit normal to the plane of an octahedron in [-1, 1]^2: n / (|x| + |y| + |z|), its lower half folded outward. (0, 0, 0) gives
-// (0, 0), which is +z. No sign(): it is 0 at 0, where the fold wants 1. Error 2e-7.
+// Octahedral encoding of a unit normal in [-1, 1]^2: n / (|x| + |y| + |z|), the lower half folded
+// outward. (0, 0, 0) encodes as +z. sign() would be 0 at 0, where the fold needs 1. Error 2e-7.
 vec2 encodeOctahedral(vec3 n) {
     vec2 p = n.xy / max(abs(n.x) + abs(n.y) + abs(n.z), 1.0e-30);
     vec2 side = vec2(p.x < 0.0 ? -1.0 : 1.0, p.y < 0.0 ? -1.0 : 1.0);
     return n.z < 0.0 ? (1.0 - abs(p.yx)) * side : p;
 }
 
-// A whole number in [0, 61439] to one of as many half floats, the finite ones that are neither zero nor subnormal: 30720 from
-// 2^-14 to 65504, then their negatives. Every step is exact: products with powers of two, no exp2.
+// Maps an integer in [0, 61439] to a normal half float: 30720 from 2^-14 to 65504, then their
+// negatives. Exact: multiplies by powers of two, without exp2.
 float halfFromCode(float code) {
     float c = code < 30720.0 ? code : code - 30720.0;
     float exponent = floor(c * (1.0 / 1024.0));
@@ -37,8 +38,8 @@ float halfFromCode(float code) {
     return code < 30720.0 ? value : -value;
 }
 
-// Unit normal in one number that a half float holds exactly: 247 x 247 points of the octahedron by mixed radix, the axes among
-// them.
+// Packs a unit normal into a number that is exact in a half float: a 247 x 247 octahedral grid by
+// mixed radix. The axes are exact.
 float octahedralRadix(vec3 n) {
     vec2 q = floor(encodeOctahedral(n) * 123.0 + 0.5) + 123.0;
     return halfFromCode(q.x + 247.0 * q.y);

@@ -11,13 +11,14 @@ uniform sampler2D matc_gbuffer1;
 #define SURFACE_NORMALS_eye
 struct Surface {
     vec3 normal; // Shading normal in eye space, unit length.
-    vec3 diffuse; // Diffuse colour.
-    vec3 specular; // Specular colour.
+    vec3 diffuse; // Diffuse color.
+    vec3 specular; // Specular color.
     float shininess; // Phong exponent of the specular lobe.
     vec3 emissive; // Light that the surface sends out.
 };
 
-// Inverse of halfFromCode: a whole number in [0, 61439] for any value. The exponent is found by comparisons, every step exact.
+// Inverse of halfFromCode: an integer in [0, 61439] for any value. Comparisons find the exponent;
+// every step is exact.
 float codeFromHalf(float value) {
     float v = clamp(abs(value) * 16384.0, 1.0, 1073217536.0);
     float exponent = 0.0;
@@ -29,22 +30,23 @@ float codeFromHalf(float value) {
     return 1024.0 * exponent + floor(1024.0 * (v - 1.0)) + (value < 0.0 ? 30720.0 : 0.0);
 }
 
-// Inverse of encodeOctahedral: a unit vector for any e in [-1, 1]^2; before it is normalised its length is at least 1/sqrt(3).
+// Inverse of encodeOctahedral: a unit vector for any e in [-1, 1]^2. The length before normalize()
+// is >= 1/sqrt(3).
 vec3 decodeOctahedral(vec2 e) {
     float z = 1.0 - abs(e.x) - abs(e.y);
     float fold = max(-z, 0.0);
     return normalize(vec3(e.x + (e.x < 0.0 ? fold : -fold), e.y + (e.y < 0.0 ? fold : -fold), z));
 }
 
-// Inverse of octahedralRadix: a unit vector for any value, at most 0.99 degrees from the one that was encoded.
+// Inverse of octahedralRadix: a unit vector for any value. Angular error at most 0.99 degrees.
 vec3 octahedralFromRadix(float value) {
     float code = codeFromHalf(value);
     float y = floor((code + 0.5) * (1.0 / 247.0));
     return decodeOctahedral(min((vec2(code - 247.0 * y, y) - 123.0) / 123.0, 1.0));
 }
 
-// Inverse of packRadix: (x, y) as multiples of 1/246 and 1/247, at most half of that from what was packed; in [0, 1]^2 for any
-// value. Half a step is added before the division, which may then err.
+// Inverse of packRadix: multiples of 1/246 and 1/247, rounded to nearest; in [0, 1]^2 for any
+// value. The half step makes the division robust to rounding.
 vec2 unpackRadix(float value) {
     float code = codeFromHalf(value);
     float y = floor((code + 0.5) * (1.0 / 247.0));

@@ -7,17 +7,18 @@ uniform usampler2D matc_gbuffer0;
 #define SURFACE_NORMALS_eye
 struct Surface {
     vec3 normal; // Shading normal in eye space, unit length.
-    vec3 diffuse; // Diffuse colour.
+    vec3 diffuse; // Diffuse color.
 };
 
-// Inverse of encodeOctahedral: a unit vector for any e in [-1, 1]^2; before it is normalised its length is at least 1/sqrt(3).
+// Inverse of encodeOctahedral: a unit vector for any e in [-1, 1]^2. The length before normalize()
+// is >= 1/sqrt(3).
 vec3 decodeOctahedral(vec2 e) {
     float z = 1.0 - abs(e.x) - abs(e.y);
     float fold = max(-z, 0.0);
     return normalize(vec3(e.x + (e.x < 0.0 ? fold : -fold), e.y + (e.y < 0.0 ? fold : -fold), z));
 }
 
-// Inverse of octahedralWhole: a unit vector, at most 242.5 / (2^bits - 2) degrees from the one that was encoded.
+// Inverse of octahedralWhole: a unit vector. Angular error at most 242.5 / (2^bits - 2) degrees.
 vec3 octahedralFromWhole(vec2 whole, int bits) {
     float scale = floor(exp2(float(bits - 1)) + 0.5) - 1.0;
     return decodeOctahedral(whole / scale);
@@ -35,7 +36,7 @@ float unormFromBits(uint code, int bits) {
     return float(code) / float((1 << bits) - 1);
 }
 
-// Inverse of rootBits, in [0, 1], at most 1 / (2^bits - 1) from what was packed.
+// Inverse of rootBits, in [0, 1]. Error at most 1 / (2^bits - 1).
 float rootFromBits(uint code, int bits) {
     float root = unormFromBits(code, bits);
     return root * root;

@@ -16,26 +16,27 @@ uniform usampler2D matc_gbuffer0;
 #define SURFACE_NORMALS_eye
 struct Surface {
     vec3 normal; // Shading normal in eye space, unit length.
-    vec3 diffuse; // Diffuse colour.
-    vec3 specular; // Specular colour.
+    vec3 diffuse; // Diffuse color.
+    vec3 specular; // Specular color.
     float shininess; // Phong exponent of the specular lobe.
     vec3 transparency; // Transparency, with alpha taken in: 1 + alpha (c - 1).
     float transparencyShininess; // Phong exponent of the transmitted lobe.
     float interpolatedTransparency; // 1 when transparency replaces diffuse and specular, 0 when it adds to them.
-    vec3 diffuseTransparency; // Colour of diffusely transmitted light.
-    vec3 ambient; // Colour that ambient light is multiplied with.
+    vec3 diffuseTransparency; // Color of diffusely transmitted light.
+    vec3 ambient; // Color that ambient light is multiplied with.
     vec3 emissive; // Light that the surface sends out.
     float ior; // Ratio of the indices of refraction.
 };
 
-// Inverse of encodeOctahedral: a unit vector for any e in [-1, 1]^2; before it is normalised its length is at least 1/sqrt(3).
+// Inverse of encodeOctahedral: a unit vector for any e in [-1, 1]^2. The length before normalize()
+// is >= 1/sqrt(3).
 vec3 decodeOctahedral(vec2 e) {
     float z = 1.0 - abs(e.x) - abs(e.y);
     float fold = max(-z, 0.0);
     return normalize(vec3(e.x + (e.x < 0.0 ? fold : -fold), e.y + (e.y < 0.0 ? fold : -fold), z));
 }
 
-// Inverse of octahedralWhole: a unit vector, at most 242.5 / (2^bits - 2) degrees from the one that was encoded.
+// Inverse of octahedralWhole: a unit vector. Angular error at most 242.5 / (2^bits - 2) degrees.
 vec3 octahedralFromWhole(vec2 whole, int bits) {
     float scale = floor(exp2(float(bits - 1)) + 0.5) - 1.0;
     return decodeOctahedral(whole / scale);
@@ -60,7 +61,7 @@ float unormFromBits(uint code, int bits) {
     return float(code) / float((1 << bits) - 1);
 }
 
-// Inverse of rootBits, in [0, 1], at most 1 / (2^bits - 1) from what was packed.
+// Inverse of rootBits, in [0, 1]. Error at most 1 / (2^bits - 1).
 float rootFromBits(uint code, int bits) {
     float root = unormFromBits(code, bits);
     return root * root;

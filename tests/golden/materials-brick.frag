@@ -10,7 +10,7 @@ in vec3 localTangentV;
 uniform mat3 matc_eyeFromWorld;
 layout(location = 0) out uvec4 fragment0;
 
-// p + rest as a whole cell and a fraction in [0, 1). The cell is known modulo 65536 or exactly: both are exact.
+// Splits p + rest into an integer cell, modulo 65536, and a fraction in [0, 1). Exact.
 void latticeCell(vec3 p, vec3 rest, out vec3 cell, out vec3 d) {
     cell = floor(p);
     d = p - cell + rest;
@@ -19,15 +19,16 @@ void latticeCell(vec3 p, vec3 rest, out vec3 cell, out vec3 d) {
     cell = cell - 65536.0 * floor(cell * (1.0 / 65536.0)) + over;
 }
 
-// A bijective finaliser, two rounds of shift and multiply, so that the top bits of every shift of the hash are good.
+// Bijective hash finalizer, two xorshift-multiply rounds: the top bits of every shifted hash are
+// well mixed.
 uvec4 latticeFinal(uvec4 h) {
     h = (h ^ (h >> 16u)) * 0x7FEB352Du;
     h = (h ^ (h >> 15u)) * 0x846CA68Bu;
     return h ^ (h >> 16u);
 }
 
-// Hashes of the eight corners of a cell, lanes as latticeMix takes them: xor of the coordinates' products, then a finaliser.
-// The wrap to [0, 65536) is exact for every finite cell: its steps only scale by powers of two and drop high digits.
+// Hashes of a cell's eight corners, in latticeMix's order: xor of products, then a finalizer. The
+// wrap to [0, 65536) is exact for every finite cell.
 void latticeCorners(vec3 cell, out uvec4 low, out uvec4 high) {
     const uvec3 factor = uvec3(0x9E3779B1u, 0x85EBCA77u, 0xC2B2AE3Du);
     uvec3 c = uvec3(ivec3(cell - 65536.0 * floor(cell * (1.0 / 65536.0))));
@@ -38,7 +39,8 @@ void latticeCorners(vec3 cell, out uvec4 low, out uvec4 high) {
     high = latticeFinal(square ^ (c1.z + 0x165667B1u));
 }
 
-// Mixes eight corner terms, lanes (x, y) = (0,0) (1,0) (0,1) (1,1), z = 0 in `low` and 1 in `high`, with weights 3d^2 - 2d^3.
+// Mixes eight corner terms with weights 3d^2 - 2d^3. Order: (x, y) = (0,0) (1,0) (0,1) (1,1), z = 0
+// in `low` and 1 in `high`.
 float latticeMix(vec4 low, vec4 high, vec3 d) {
     vec3 s = d * d * (3.0 - 2.0 * d);
     vec4 plane = mix(low, high, s.z);
@@ -46,7 +48,8 @@ float latticeMix(vec4 low, vec4 high, vec3 d) {
     return mix(line.x, line.y, s.x);
 }
 
-// A corner's value and gradient, for the four of a face, times 2^31: its hash shifted left by 0, 7, 14, 21 and read as signed.
+// Values and gradients of a face's four corners, times 2^31: the hash shifted left by 0, 7, 14, 21,
+// read as signed.
 void latticeNumbers(uvec4 hash, out vec4 value, out vec4 x, out vec4 y, out vec4 z) {
     value = vec4(ivec4(hash));
     x = vec4(ivec4(hash << 7u));
@@ -54,7 +57,7 @@ void latticeNumbers(uvec4 hash, out vec4 value, out vec4 x, out vec4 y, out vec4
     z = vec4(ivec4(hash << 21u));
 }
 
-// Gradient and value of the interpolation between eight corners, given by the hashes of both faces; before latticeScale.
+// Gradient (xyz) and value (w) of the interpolation of eight hashed corners, before latticeScale.
 vec4 latticeRise(uvec4 low, uvec4 high, vec3 d) {
     vec4 v0, x0, y0, z0, v1, x1, y1, z1;
     latticeNumbers(low, v0, x0, y0, z0);
@@ -74,17 +77,17 @@ vec4 latticeRise(uvec4 low, uvec4 high, vec3 d) {
                 latticeMix(z0, z1, d) + rise.z * mix(depth.x, depth.y, s.x), mix(line.x, line.y, s.x));
 }
 
-// A hash read as a signed number is this much of 1.
+// Scales a signed 32-bit hash to [-1, 1].
 const float latticeScale = 1.0 / 2147483648.0;
 
-// Gradient of lattice(cell, d), then its value. Error 2e-6 in each lane.
+// Gradient (xyz) and value (w) of lattice(cell, d). Error 2e-6.
 vec4 latticeSlope(vec3 cell, vec3 d) {
     uvec4 low, high;
     latticeCorners(cell, low, high);
     return latticeRise(low, high, d) * latticeScale;
 }
 
-// Gradient of noise(p + rest), then its value; where the noise is clamped the gradient is 0.
+// Gradient (xyz) and value (w) of noise(p + rest); the gradient is 0 where noise is clamped.
 vec4 noiseSlope(vec3 p, vec3 rest) {
     vec3 cell, d;
     latticeCell(p, rest, cell, d);
@@ -92,21 +95,22 @@ vec4 noiseSlope(vec3 p, vec3 rest) {
     return abs(slope.w) < 1.0 ? slope : vec4(0.0, 0.0, 0.0, sign(slope.w));
 }
 
-// Of noise, measured: its mean and variance, the mean of its magnitude, and how much finer its grain is than that of lattice noise.
+// Measured: mean and variance of noise, mean of |noise|, and its frequency relative to lattice
+// noise.
 const float noiseMean = 0.0;
 const float noiseVariance = 0.25;
 const float noiseMagnitude = 0.412;
 const float noiseGrain = 1.0;
 
-// What all octaves add where they are finer than the pixel: the noise's mean is 0.
+// Sum of the octaves' means: 0, because the noise's mean is 0.
 float octaveMean(int count, float noiseRatio) {
     return 0.0;
 }
 
-// How much of an octave of noise the mean over a square of a given edge loses, in periods of the octave. The best factor by least
-// squares is 1 / (1 + q), q = 0.383 w^2 + 0.0467 w^4, measured and fitted to 0.02; of it is taken what makes it end at 2 periods, where
-// an octave has little to do with its mean: 1.43 / (1 + q) - 0.43 are left, and these are lost. Exactly 0 for no width, and good to
-// its last bits for a narrow one; a width of any size squares to a float.
+// Fraction of a noise octave that the mean over a square of edge `width` (periods) loses. The
+// least-squares factor is 1 / (1 + q), q = 0.383 w^2 + 0.0467 w^4, fitted to 0.02; 1.43 / (1 + q) -
+// 0.43 remains, so an octave is dropped at 2 periods. Exactly 0 for width 0, accurate for narrow
+// squares; min() avoids overflow.
 float octaveLoss(float width) {
     float periods = min(width, 64.0) * noiseGrain;
     float w = periods * periods;
@@ -114,12 +118,14 @@ float octaveLoss(float width) {
     return min(1.43 * q / (1.0 + q), 1.0);
 }
 
-// How much of an octave of noise is left in the mean over a square of a given edge; 1 for no width.
+// Fraction of a noise octave that remains in the mean over a square of edge `width` (periods); 1
+// for 0.
 float octaveShare(float width) {
     return 1.0 - octaveLoss(width);
 }
 
-// Gradient by p of turbulenceFiltered(p, rest, ...), then its value. Error 5e-6 to the sum of noiseRatio^k frequencyRatio^k.
+// Gradient by p (xyz) and value (w) of turbulenceFiltered(p, rest, ...). Error 5e-6 times the sum
+// of noiseRatio^k frequencyRatio^k.
 vec4 turbulenceGradient(vec3 p, vec3 rest, int octaves, float frequencyRatio, float noiseRatio, float width) {
     int count = octaves > 1 ? octaves : 1;
     float strength = 1.0;
@@ -139,25 +145,25 @@ vec4 turbulenceGradient(vec3 p, vec3 rest, int octaves, float frequencyRatio, fl
     return sum;
 }
 
-// Mean over boxes below 1/2 of waves that are 1 for q in [0, 1/2) and -1 in [1/2, 1), period 1; q in [0, 1]. From the distance to the
-// nearest edge, which does not cancel: error 1e-7 at any width. A box of at most 1e-6 is the point, which at an edge belongs to the
-// upper side.
+// Box-filtered square waves for edge < 1/2, component-wise: 1 for q in [0, 1/2), -1 in [1/2, 1); q
+// in [0, 1]. From the distance to the nearest transition, without cancellation: error 1e-7 at any
+// width. An edge <= 1e-6 gives the point value; a transition belongs to its upper side.
 vec3 stripesNear3(vec3 q, vec3 edges) {
     vec3 side = 1.0 - 2.0 * step(0.5, q);
     vec3 distance = min(min(q, 1.0 - q), abs(q - 0.5));
     return side * max(min(2.0 * distance / max(edges, 1.0e-6), 1.0), step(edges, vec3(1.0e-6)));
 }
 
-// Mean over boxes of waves that are 1 for q in [0, 1/2) and -1 in [1/2, 1), period 1; q in [0, 1]. For a box of 1/2 and more from the
-// antiderivative. Error 2e-7.
+// Box-filtered square waves of period 1, component-wise: 1 for q in [0, 1/2), -1 in [1/2, 1); q in
+// [0, 1]. For edge >= 1/2 from the antiderivative. Error 2e-7.
 vec3 stripes3(vec3 q, vec3 edges) {
     vec3 low = abs(fract(q - 0.5 * edges) - 0.5);
     vec3 high = abs(fract(q + 0.5 * edges) - 0.5);
     return mix(stripesNear3(q, edges), (low - high) / max(edges, 0.5), step(0.5, edges));
 }
 
-// Derivative of stripes3 by q: the difference of the waves at a box's ends over its edge; of a box below 1/2 the edge that it holds,
-// if any. A box of at most 1e-6 is the point: 0. Relative error 1.2e-7.
+// Derivative of stripes3 by q: the waves' difference between the box's ends over the edge; for edge
+// < 1/2 from the transition in the box, if any. An edge <= 1e-6 gives 0. Relative error 1.2e-7.
 vec3 stripesRate3(vec3 q, vec3 edges) {
     vec3 high = step(0.5, fract(q + 0.5 * edges));
     vec3 low = step(0.5, fract(q - 0.5 * edges));
@@ -167,8 +173,8 @@ vec3 stripesRate3(vec3 q, vec3 edges) {
     return mix(near, low - high, step(0.5, edges)) * 2.0 / max(edges, 1.0e-6);
 }
 
-// Mean of 2 fract(v) - 1 over a box. Below an edge of 1/2 from the distance to the jump, which does not cancel, above from the
-// antiderivative: error 2e-7. A box of at most 1e-6 is the point.
+// Box-filtered ramp 2 fract(v) - 1. For edge < 1/2 from the distance to the jump, without
+// cancellation, else from the antiderivative. Error 2e-7. An edge <= 1e-6 gives the point value.
 float rampMean(float v, float edge) {
     float t = fract(v);
     float distance = v - floor(v + 0.5); // fract() rounds just below a whole number
@@ -179,8 +185,9 @@ float rampMean(float v, float edge) {
     return edge <= 1.0e-6 ? 2.0 * t - 1.0 : edge < 0.5 ? near : far;
 }
 
-// Derivative of rampMean by v: 2, and below an edge of 1/2 the jump over the edge if the box holds it; above the difference of the
-// wave at the box's ends over its edge. A box of at most 1e-6 is the point. Error 2.4e-7 to max(1, |rate|).
+// Derivative of rampMean by v: for edge < 1/2, 2 minus the jump over the edge if the box has the
+// jump; else the wave's difference between the box's ends over the edge. An edge <= 1e-6 gives the
+// point's derivative. Error 2.4e-7 max(1, |rate|).
 float rampRate(float v, float edge) {
     float t = fract(v);
     float distance = abs(v - floor(v + 0.5));
@@ -189,8 +196,9 @@ float rampRate(float v, float edge) {
     return edge < 0.5 ? 2.0 - jump : far;
 }
 
-// v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
-// no square over- or underflows, and a great one is scaled down before, so that its reciprocal does not. Relative error 2e-7.
+// v / |v| for every finite v; (0, 0, 1) if all components are below 1e-37. v is divided by its
+// largest component, so no square over- or underflows; large vectors are scaled down first, so the
+// reciprocal does not underflow. Relative error 2e-7.
 vec3 safeNormalize(vec3 v) {
     float greatest = max(max(abs(v.x), abs(v.y)), abs(v.z));
     float scale = greatest > 1.0e37 ? 1.0 / 1024.0 : 1.0;
@@ -199,13 +207,15 @@ vec3 safeNormalize(vec3 v) {
     return greatest < 1.0e-37 ? vec3(0.0, 0.0, 1.0) : unit;
 }
 
-// A world direction in eye space; the matrix is a rotation, so that lengths and angles stay.
+// Transforms a direction from world to eye space. The matrix is a rotation: lengths and angles are
+// kept.
 vec3 eyeFromWorld(vec3 d) {
     return matc_eyeFromWorld * d;
 }
 
-// Value plus gradient terms of a face's four corners, times 2^31; d is the offset from the first corner.
-// A corner's numbers are its hash shifted left by 0, 7, 14, 21 and read as signed: uniform, symmetric to 2^-11, no masks.
+// Value plus gradient terms of a face's four corners, times 2^31; d is the offset from the first
+// corner. The numbers are the hash shifted left by 0, 7, 14, 21, read as signed: uniform, symmetric
+// to 2^-11.
 vec4 latticeTerms(uvec4 hash, vec3 d) {
     vec4 dx = vec4(d.x, d.x - 1.0, d.x, d.x - 1.0);
     vec4 dy = vec4(d.yy, d.yy - 1.0);
@@ -213,22 +223,24 @@ vec4 latticeTerms(uvec4 hash, vec3 d) {
          + vec4(ivec4(hash << 21u)) * d.z;
 }
 
-// Lattice noise at a point of a cell, d in [0, 1): at each corner a value and a gradient from a hash, smoothly interpolated.
-// About [-1, 1], standard deviation 1/4, period 65536 an axis. Error below 1e-6 of the reference at the same floats.
+// Lattice noise at position d in [0, 1) in a cell: hashed value and gradient per corner, smoothly
+// interpolated. About [-1, 1], standard deviation 1/4, period 65536 per axis. Error 1e-6.
 float lattice(vec3 cell, vec3 d) {
     uvec4 low, high;
     latticeCorners(cell, low, high);
     return latticeMix(latticeTerms(low, d), latticeTerms(high, d - vec3(0.0, 0.0, 1.0)), d) * latticeScale;
 }
 
-// Noise in [-1, 1], standard deviation 1/2. About one sample in twenty is clamped. Error 2e-6, in simplex noise too.
+// Noise in [-1, 1], standard deviation 1/2. About 1 sample in 20 is clamped. Error 2e-6, also for
+// simplex noise.
 float noise(vec3 p) {
     vec3 cell = floor(p);
     return clamp(2.0 * lattice(cell, p - cell), -1.0, 1.0);
 }
 
-// Sum of octaves noiseRatio^k noise(frequencyRatio^k p), k from 0; at least one. Signed and not normalised.
-// Error that of noise, to the sum of the strengths, where frequencyRatio is a power of two; other ratios round p.
+// Sum of octaves noiseRatio^k noise(frequencyRatio^k p), k from 0; at least one. Signed, not
+// normalized. Error of noise times the sum of amplitudes if frequencyRatio is a power of two; other
+// ratios round p.
 float turbulence(vec3 p, int octaves, float frequencyRatio, float noiseRatio) {
     int count = octaves > 1 ? octaves : 1;
     float strength = 1.0;
@@ -241,32 +253,34 @@ float turbulence(vec3 p, int octaves, float frequencyRatio, float noiseRatio) {
     return sum;
 }
 
-// v, taken to [0, 1], as the nearest of 2^bits equal steps, bits <= 16.
+// Quantizes v, clamped to [0, 1], to `bits` <= 16 bits, rounding to nearest.
 uint unormBits(float v, int bits) {
     return uint(floor(clamp(v, 0.0, 1.0) * float((1 << bits) - 1) + 0.5));
 }
 
-// The square root of v, taken to [0, 1], as the nearest of 2^bits equal steps: steps of v that shrink towards 0, as an eye's do.
+// Quantizes sqrt(v), v clamped to [0, 1], to `bits` bits: finer steps near 0, like perceived
+// lightness.
 uint rootBits(float v, int bits) {
     return unormBits(sqrt(clamp(v, 0.0, 1.0)), bits);
 }
 
-// Unit normal to the plane of an octahedron in [-1, 1]^2: n / (|x| + |y| + |z|), its lower half folded outward. (0, 0, 0) gives
-// (0, 0), which is +z. No sign(): it is 0 at 0, where the fold wants 1. Error 2e-7.
+// Octahedral encoding of a unit normal in [-1, 1]^2: n / (|x| + |y| + |z|), the lower half folded
+// outward. (0, 0, 0) encodes as +z. sign() would be 0 at 0, where the fold needs 1. Error 2e-7.
 vec2 encodeOctahedral(vec3 n) {
     vec2 p = n.xy / max(abs(n.x) + abs(n.y) + abs(n.z), 1.0e-30);
     vec2 side = vec2(p.x < 0.0 ? -1.0 : 1.0, p.y < 0.0 ? -1.0 : 1.0);
     return n.z < 0.0 ? (1.0 - abs(p.yx)) * side : p;
 }
 
-// Unit normal to two whole numbers in [-s, s], s = 2^(bits-1) - 1, by the nearest point of the octahedron. The axes have codes
-// of their own. A half float holds them exactly for bits <= 12. The power is exact: exp2 errs by less than 1/2 for bits <= 16.
+// Quantizes a unit normal to two integers in [-s, s], s = 2^(bits-1) - 1, on the octahedron. The
+// axes are exact. A half float holds them exactly for bits <= 12. floor() makes exp2 exact for bits
+// <= 16.
 vec2 octahedralWhole(vec3 n, int bits) {
     float scale = floor(exp2(float(bits - 1)) + 0.5) - 1.0;
     return floor(encodeOctahedral(n) * scale + 0.5);
 }
 
-// The two whole numbers of octahedralWhole, moved up to begin at 0, in 2 bits bits: x in the lower ones.
+// Packs octahedralWhole, offset to start at 0, in 2 * bits bits: x in the lower half.
 uint octahedralBits(vec3 n, int bits) {
     float scale = float((1 << (bits - 1)) - 1);
     uvec2 code = uvec2(octahedralWhole(n, bits) + scale);

@@ -5,8 +5,9 @@ in vec3 localPosition;
 in vec3 eyeNormal;
 layout(location = 0) out uvec4 fragment0;
 
-// v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
-// no square over- or underflows, and a great one is scaled down before, so that its reciprocal does not. Relative error 2e-7.
+// v / |v| for every finite v; (0, 0, 1) if all components are below 1e-37. v is divided by its
+// largest component, so no square over- or underflows; large vectors are scaled down first, so the
+// reciprocal does not underflow. Relative error 2e-7.
 vec3 safeNormalize(vec3 v) {
     float greatest = max(max(abs(v.x), abs(v.y)), abs(v.z));
     float scale = greatest > 1.0e37 ? 1.0 / 1024.0 : 1.0;
@@ -15,15 +16,17 @@ vec3 safeNormalize(vec3 v) {
     return greatest < 1.0e-37 ? vec3(0.0, 0.0, 1.0) : unit;
 }
 
-// Angle between two unit vectors in [0, pi], given its cosine. By atan, as acos has few digits near 0.
+// Angle between two unit vectors in [0, pi], given its cosine. atan, since acos is imprecise near
+// 0.
 float skyAngle(vec3 view, vec3 sun, float cosine) {
     return atan(length(cross(view, sun)), cosine);
 }
 
-// Preetham's sky along a direction of any length, z up: linear sRGB, no component below 0, black below the horizon.
-// Luminance Y and chromaticity x, y are the lanes of the arguments, all from sky_coefficients (lib/sky.h): zenithOverF0 is the
-// zenith's value over F(0, angle of the sun), Y in W/(m2 sr) times the scale wanted; A to E are the coefficients of Perez' F;
-// sun is a unit vector. Relative error 8e-6.
+// Preetham's sky in a direction of any length, z up: linear sRGB, no component below 0, black below
+// the horizon. The arguments' components are luminance Y and chromaticity x, y, from
+// sky_coefficients (lib/sky.h): zenithOverF0 is the zenith's value over F(0, sun angle), Y in W/(m2
+// sr) times the desired scale; A to E are Perez' coefficients of F; sun is a unit vector. Relative
+// error 8e-6.
 vec3 skyRadiance(vec3 direction, vec3 sun, vec3 zenithOverF0, vec3 A, vec3 B, vec3 C, vec3 D, vec3 E) {
     vec3 view = safeNormalize(direction);
     if (view.z < 0.0) return vec3(0.0);
@@ -37,31 +40,33 @@ vec3 skyRadiance(vec3 direction, vec3 sun, vec3 zenithOverF0, vec3 A, vec3 B, ve
     return rgb - min(min(min(rgb.r, rgb.g), rgb.b), 0.0);
 }
 
-// Unit normal to the plane of an octahedron in [-1, 1]^2: n / (|x| + |y| + |z|), its lower half folded outward. (0, 0, 0) gives
-// (0, 0), which is +z. No sign(): it is 0 at 0, where the fold wants 1. Error 2e-7.
+// Octahedral encoding of a unit normal in [-1, 1]^2: n / (|x| + |y| + |z|), the lower half folded
+// outward. (0, 0, 0) encodes as +z. sign() would be 0 at 0, where the fold needs 1. Error 2e-7.
 vec2 encodeOctahedral(vec3 n) {
     vec2 p = n.xy / max(abs(n.x) + abs(n.y) + abs(n.z), 1.0e-30);
     vec2 side = vec2(p.x < 0.0 ? -1.0 : 1.0, p.y < 0.0 ? -1.0 : 1.0);
     return n.z < 0.0 ? (1.0 - abs(p.yx)) * side : p;
 }
 
-// Unit normal to two whole numbers in [-s, s], s = 2^(bits-1) - 1, by the nearest point of the octahedron. The axes have codes
-// of their own. A half float holds them exactly for bits <= 12. The power is exact: exp2 errs by less than 1/2 for bits <= 16.
+// Quantizes a unit normal to two integers in [-s, s], s = 2^(bits-1) - 1, on the octahedron. The
+// axes are exact. A half float holds them exactly for bits <= 12. floor() makes exp2 exact for bits
+// <= 16.
 vec2 octahedralWhole(vec3 n, int bits) {
     float scale = floor(exp2(float(bits - 1)) + 0.5) - 1.0;
     return floor(encodeOctahedral(n) * scale + 0.5);
 }
 
-// The two whole numbers of octahedralWhole, moved up to begin at 0, in 2 bits bits: x in the lower ones.
+// Packs octahedralWhole, offset to start at 0, in 2 * bits bits: x in the lower half.
 uint octahedralBits(vec3 n, int bits) {
     float scale = float((1 << (bits - 1)) - 1);
     uvec2 code = uvec2(octahedralWhole(n, bits) + scale);
     return code.x | code.y << bits;
 }
 
-// Three numbers >= 0 with one exponent: mantissas m of `bits` bits, 4 to 9, and above them an exponent e of 5:
-// v = m 2^(e - 15 - bits), at most 65536 (1 - 2^-bits). With 9 bits that is the texture format RGB9E5. The exponent is read from
-// the float's own, so that no logarithm errs; where a mantissa is rounded up to 2^bits, the next exponent is taken.
+// Packs three numbers >= 0 with a shared exponent: mantissas m of `bits` bits (4 to 9), then a
+// 5-bit exponent e: v = m 2^(e - 15 - bits), at most 65536 (1 - 2^-bits). 9 bits are the format
+// RGB9E5. The float's own exponent is used, so no logarithm errs. A mantissa that rounds to 2^bits
+// uses the next exponent.
 uint sharedExponentBits(vec3 v, int bits) {
     float steps = float(1 << bits);
     vec3 c = clamp(v, 0.0, 65536.0 - 65536.0 / steps);

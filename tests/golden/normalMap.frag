@@ -8,15 +8,16 @@ in vec3 localPosition;
 uniform mat3 matc_eyeFromWorld;
 layout(location = 0) out uvec4 fragment0;
 
-// A bijective finaliser, two rounds of shift and multiply, so that the top bits of every shift of the hash are good.
+// Bijective hash finalizer, two xorshift-multiply rounds: the top bits of every shifted hash are
+// well mixed.
 uvec4 latticeFinal(uvec4 h) {
     h = (h ^ (h >> 16u)) * 0x7FEB352Du;
     h = (h ^ (h >> 15u)) * 0x846CA68Bu;
     return h ^ (h >> 16u);
 }
 
-// Hashes of the eight corners of a cell, lanes as latticeMix takes them: xor of the coordinates' products, then a finaliser.
-// The wrap to [0, 65536) is exact for every finite cell: its steps only scale by powers of two and drop high digits.
+// Hashes of a cell's eight corners, in latticeMix's order: xor of products, then a finalizer. The
+// wrap to [0, 65536) is exact for every finite cell.
 void latticeCorners(vec3 cell, out uvec4 low, out uvec4 high) {
     const uvec3 factor = uvec3(0x9E3779B1u, 0x85EBCA77u, 0xC2B2AE3Du);
     uvec3 c = uvec3(ivec3(cell - 65536.0 * floor(cell * (1.0 / 65536.0))));
@@ -27,7 +28,8 @@ void latticeCorners(vec3 cell, out uvec4 low, out uvec4 high) {
     high = latticeFinal(square ^ (c1.z + 0x165667B1u));
 }
 
-// Mixes eight corner terms, lanes (x, y) = (0,0) (1,0) (0,1) (1,1), z = 0 in `low` and 1 in `high`, with weights 3d^2 - 2d^3.
+// Mixes eight corner terms with weights 3d^2 - 2d^3. Order: (x, y) = (0,0) (1,0) (0,1) (1,1), z = 0
+// in `low` and 1 in `high`.
 float latticeMix(vec4 low, vec4 high, vec3 d) {
     vec3 s = d * d * (3.0 - 2.0 * d);
     vec4 plane = mix(low, high, s.z);
@@ -35,11 +37,12 @@ float latticeMix(vec4 low, vec4 high, vec3 d) {
     return mix(line.x, line.y, s.x);
 }
 
-// A hash read as a signed number is this much of 1.
+// Scales a signed 32-bit hash to [-1, 1].
 const float latticeScale = 1.0 / 2147483648.0;
 
-// Value plus gradient terms of a face's four corners, times 2^31; d is the offset from the first corner.
-// A corner's numbers are its hash shifted left by 0, 7, 14, 21 and read as signed: uniform, symmetric to 2^-11, no masks.
+// Value plus gradient terms of a face's four corners, times 2^31; d is the offset from the first
+// corner. The numbers are the hash shifted left by 0, 7, 14, 21, read as signed: uniform, symmetric
+// to 2^-11.
 vec4 latticeTerms(uvec4 hash, vec3 d) {
     vec4 dx = vec4(d.x, d.x - 1.0, d.x, d.x - 1.0);
     vec4 dy = vec4(d.yy, d.yy - 1.0);
@@ -47,22 +50,24 @@ vec4 latticeTerms(uvec4 hash, vec3 d) {
          + vec4(ivec4(hash << 21u)) * d.z;
 }
 
-// Lattice noise at a point of a cell, d in [0, 1): at each corner a value and a gradient from a hash, smoothly interpolated.
-// About [-1, 1], standard deviation 1/4, period 65536 an axis. Error below 1e-6 of the reference at the same floats.
+// Lattice noise at position d in [0, 1) in a cell: hashed value and gradient per corner, smoothly
+// interpolated. About [-1, 1], standard deviation 1/4, period 65536 per axis. Error 1e-6.
 float lattice(vec3 cell, vec3 d) {
     uvec4 low, high;
     latticeCorners(cell, low, high);
     return latticeMix(latticeTerms(low, d), latticeTerms(high, d - vec3(0.0, 0.0, 1.0)), d) * latticeScale;
 }
 
-// Noise in [-1, 1], standard deviation 1/2. About one sample in twenty is clamped. Error 2e-6, in simplex noise too.
+// Noise in [-1, 1], standard deviation 1/2. About 1 sample in 20 is clamped. Error 2e-6, also for
+// simplex noise.
 float noise(vec3 p) {
     vec3 cell = floor(p);
     return clamp(2.0 * lattice(cell, p - cell), -1.0, 1.0);
 }
 
-// Sum of octaves noiseRatio^k noise(frequencyRatio^k p), k from 0; at least one. Signed and not normalised.
-// Error that of noise, to the sum of the strengths, where frequencyRatio is a power of two; other ratios round p.
+// Sum of octaves noiseRatio^k noise(frequencyRatio^k p), k from 0; at least one. Signed, not
+// normalized. Error of noise times the sum of amplitudes if frequencyRatio is a power of two; other
+// ratios round p.
 float turbulence(vec3 p, int octaves, float frequencyRatio, float noiseRatio) {
     int count = octaves > 1 ? octaves : 1;
     float strength = 1.0;
@@ -75,8 +80,9 @@ float turbulence(vec3 p, int octaves, float frequencyRatio, float noiseRatio) {
     return sum;
 }
 
-// v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
-// no square over- or underflows, and a great one is scaled down before, so that its reciprocal does not. Relative error 2e-7.
+// v / |v| for every finite v; (0, 0, 1) if all components are below 1e-37. v is divided by its
+// largest component, so no square over- or underflows; large vectors are scaled down first, so the
+// reciprocal does not underflow. Relative error 2e-7.
 vec3 safeNormalize(vec3 v) {
     float greatest = max(max(abs(v.x), abs(v.y)), abs(v.z));
     float scale = greatest > 1.0e37 ? 1.0 / 1024.0 : 1.0;
@@ -85,27 +91,29 @@ vec3 safeNormalize(vec3 v) {
     return greatest < 1.0e-37 ? vec3(0.0, 0.0, 1.0) : unit;
 }
 
-// A world direction in eye space; the matrix is a rotation, so that lengths and angles stay.
+// Transforms a direction from world to eye space. The matrix is a rotation: lengths and angles are
+// kept.
 vec3 eyeFromWorld(vec3 d) {
     return matc_eyeFromWorld * d;
 }
 
-// Unit normal to the plane of an octahedron in [-1, 1]^2: n / (|x| + |y| + |z|), its lower half folded outward. (0, 0, 0) gives
-// (0, 0), which is +z. No sign(): it is 0 at 0, where the fold wants 1. Error 2e-7.
+// Octahedral encoding of a unit normal in [-1, 1]^2: n / (|x| + |y| + |z|), the lower half folded
+// outward. (0, 0, 0) encodes as +z. sign() would be 0 at 0, where the fold needs 1. Error 2e-7.
 vec2 encodeOctahedral(vec3 n) {
     vec2 p = n.xy / max(abs(n.x) + abs(n.y) + abs(n.z), 1.0e-30);
     vec2 side = vec2(p.x < 0.0 ? -1.0 : 1.0, p.y < 0.0 ? -1.0 : 1.0);
     return n.z < 0.0 ? (1.0 - abs(p.yx)) * side : p;
 }
 
-// Unit normal to two whole numbers in [-s, s], s = 2^(bits-1) - 1, by the nearest point of the octahedron. The axes have codes
-// of their own. A half float holds them exactly for bits <= 12. The power is exact: exp2 errs by less than 1/2 for bits <= 16.
+// Quantizes a unit normal to two integers in [-s, s], s = 2^(bits-1) - 1, on the octahedron. The
+// axes are exact. A half float holds them exactly for bits <= 12. floor() makes exp2 exact for bits
+// <= 16.
 vec2 octahedralWhole(vec3 n, int bits) {
     float scale = floor(exp2(float(bits - 1)) + 0.5) - 1.0;
     return floor(encodeOctahedral(n) * scale + 0.5);
 }
 
-// The two whole numbers of octahedralWhole, moved up to begin at 0, in 2 bits bits: x in the lower ones.
+// Packs octahedralWhole, offset to start at 0, in 2 * bits bits: x in the lower half.
 uint octahedralBits(vec3 n, int bits) {
     float scale = float((1 << (bits - 1)) - 1);
     uvec2 code = uvec2(octahedralWhole(n, bits) + scale);

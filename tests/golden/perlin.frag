@@ -5,8 +5,8 @@ in vec3 localPosition;
 in vec3 eyeNormal;
 layout(location = 0) out uvec4 fragment0;
 
-// Low four bits of Jenkins' hash of `count` whole numbers, 2 or 3, |cell| <= 2^24: the final mix of his lookup3, begun at 0xDEADBEEF + 4 count + 13,
-// as OSL and MaterialX have it. Of two, cell.z is 0. Exact.
+// Low four bits of Jenkins' hash of `count` (2 or 3) integers, |cell| <= 2^24: lookup3's final mix,
+// seeded with 0xDEADBEEF + 4 count + 13 as in OSL and MaterialX. For count 2, cell.z is 0. Exact.
 uint perlinHashTurned(uint bits, int by) {
     return (bits << by) | (bits >> (32 - by));
 }
@@ -23,8 +23,9 @@ float perlinHash(vec3 cell, int count) {
     return float(h.z & 15u);
 }
 
-// What Perlin's noise rises along at a corner of a cell, times 0.9820 or 0.6616, by which values lie in about [-1, 1]: to the middle of one of the
-// twelve edges of a cube, four of which count twice; of two dimensions (+-1, +-2) or (+-2, +-1). Exact but for the factor's rounding.
+// Gradient of Perlin noise at a corner, times 0.9820 (3D) or 0.6616 (2D) so that the noise is in
+// about [-1, 1]: the middle of one of a cube's 12 edges (four count twice), in 2D (+-1, +-2) or
+// (+-2, +-1). Exact but for the factor's rounding.
 vec3 perlinDirection(vec3 corner, int dimensions) {
     float h = perlinHash(corner, dimensions);
     float pairs = floor(h * 0.5);
@@ -37,8 +38,9 @@ vec3 perlinDirection(vec3 corner, int dimensions) {
     return 0.982 * (h == 12.0 || h == 14.0 ? vec3(t, s, 0.0) : vec3(0.0, s, t));
 }
 
-// Perlin's noise of 2002 of p, or of x and y alone, by the hash that OSL and MaterialX have: between the corners of a cell, what rises from 0 at each
-// of them, mixed by 6 t^5 - 15 t^4 + 10 t^3. Coordinates are cut at 2^24, where floats have no fractions and the noise is 0. Error 1e-6.
+// Perlin's improved noise (2002) in 2D or 3D, with the hash of OSL and MaterialX and the fade 6t^5
+// - 15t^4 + 10t^3. Coordinates are clamped to 2^24, where floats have no fraction and the noise is
+// 0. Error 1e-6.
 float perlinOctave(vec3 p, int dimensions) {
     vec3 q = clamp(p, -16777216.0, 16777216.0) * vec3(1.0, 1.0, dimensions < 3 ? 0.0 : 1.0);
     vec3 cell = floor(q);
@@ -54,8 +56,9 @@ float perlinOctave(vec3 p, int dimensions) {
     return sum;
 }
 
-// Octaves of Perlin's noise: the sum over k < octaves of diminish^k N(lacunarity^k p), coordinates cut at 2^24 in each. Error 2e-6 of the sum of
-// |diminish|^k, where lacunarity is a power of two; else what rounding makes of the coordinates as well.
+// Fractal Perlin noise: the sum over k < octaves of diminish^k N(lacunarity^k p), coordinates
+// clamped to 2^24. Error 2e-6 of the sum of |diminish|^k if lacunarity is a power of two; otherwise
+// rounding of coordinates adds to it.
 float perlin(vec3 p, int octaves, float lacunarity, float diminish, int dimensions) {
     vec3 q = clamp(p, -16777216.0, 16777216.0);
     float strength = 1.0;
@@ -68,8 +71,9 @@ float perlin(vec3 p, int octaves, float lacunarity, float diminish, int dimensio
     return sum;
 }
 
-// v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
-// no square over- or underflows, and a great one is scaled down before, so that its reciprocal does not. Relative error 2e-7.
+// v / |v| for every finite v; (0, 0, 1) if all components are below 1e-37. v is divided by its
+// largest component, so no square over- or underflows; large vectors are scaled down first, so the
+// reciprocal does not underflow. Relative error 2e-7.
 vec3 safeNormalize(vec3 v) {
     float greatest = max(max(abs(v.x), abs(v.y)), abs(v.z));
     float scale = greatest > 1.0e37 ? 1.0 / 1024.0 : 1.0;
@@ -78,32 +82,34 @@ vec3 safeNormalize(vec3 v) {
     return greatest < 1.0e-37 ? vec3(0.0, 0.0, 1.0) : unit;
 }
 
-// v, taken to [0, 1], as the nearest of 2^bits equal steps, bits <= 16.
+// Quantizes v, clamped to [0, 1], to `bits` <= 16 bits, rounding to nearest.
 uint unormBits(float v, int bits) {
     return uint(floor(clamp(v, 0.0, 1.0) * float((1 << bits) - 1) + 0.5));
 }
 
-// The square root of v, taken to [0, 1], as the nearest of 2^bits equal steps: steps of v that shrink towards 0, as an eye's do.
+// Quantizes sqrt(v), v clamped to [0, 1], to `bits` bits: finer steps near 0, like perceived
+// lightness.
 uint rootBits(float v, int bits) {
     return unormBits(sqrt(clamp(v, 0.0, 1.0)), bits);
 }
 
-// Unit normal to the plane of an octahedron in [-1, 1]^2: n / (|x| + |y| + |z|), its lower half folded outward. (0, 0, 0) gives
-// (0, 0), which is +z. No sign(): it is 0 at 0, where the fold wants 1. Error 2e-7.
+// Octahedral encoding of a unit normal in [-1, 1]^2: n / (|x| + |y| + |z|), the lower half folded
+// outward. (0, 0, 0) encodes as +z. sign() would be 0 at 0, where the fold needs 1. Error 2e-7.
 vec2 encodeOctahedral(vec3 n) {
     vec2 p = n.xy / max(abs(n.x) + abs(n.y) + abs(n.z), 1.0e-30);
     vec2 side = vec2(p.x < 0.0 ? -1.0 : 1.0, p.y < 0.0 ? -1.0 : 1.0);
     return n.z < 0.0 ? (1.0 - abs(p.yx)) * side : p;
 }
 
-// Unit normal to two whole numbers in [-s, s], s = 2^(bits-1) - 1, by the nearest point of the octahedron. The axes have codes
-// of their own. A half float holds them exactly for bits <= 12. The power is exact: exp2 errs by less than 1/2 for bits <= 16.
+// Quantizes a unit normal to two integers in [-s, s], s = 2^(bits-1) - 1, on the octahedron. The
+// axes are exact. A half float holds them exactly for bits <= 12. floor() makes exp2 exact for bits
+// <= 16.
 vec2 octahedralWhole(vec3 n, int bits) {
     float scale = floor(exp2(float(bits - 1)) + 0.5) - 1.0;
     return floor(encodeOctahedral(n) * scale + 0.5);
 }
 
-// The two whole numbers of octahedralWhole, moved up to begin at 0, in 2 bits bits: x in the lower ones.
+// Packs octahedralWhole, offset to start at 0, in 2 * bits bits: x in the lower half.
 uint octahedralBits(vec3 n, int bits) {
     float scale = float((1 << (bits - 1)) - 1);
     uvec2 code = uvec2(octahedralWhole(n, bits) + scale);

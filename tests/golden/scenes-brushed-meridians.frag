@@ -7,8 +7,9 @@ in vec3 eyeNormal;
 uniform mat3 matc_eyeFromWorld;
 layout(location = 0) out uvec4 fragment0;
 
-// v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
-// no square over- or underflows, and a great one is scaled down before, so that its reciprocal does not. Relative error 2e-7.
+// v / |v| for every finite v; (0, 0, 1) if all components are below 1e-37. v is divided by its
+// largest component, so no square over- or underflows; large vectors are scaled down first, so the
+// reciprocal does not underflow. Relative error 2e-7.
 vec3 safeNormalize(vec3 v) {
     float greatest = max(max(abs(v.x), abs(v.y)), abs(v.z));
     float scale = greatest > 1.0e37 ? 1.0 / 1024.0 : 1.0;
@@ -17,13 +18,17 @@ vec3 safeNormalize(vec3 v) {
     return greatest < 1.0e-37 ? vec3(0.0, 0.0, 1.0) : unit;
 }
 
-// The slot anisotropy, a (cos 2 t, sin 2 t), about another frame. `own` counts t from du toward dv; the result counts it from the vector T toward B, which
-// the unit normal n alone makes, so that who reads n back has them: with w = 1 / (1 + n.z)
-//   T = (1 - w n.x n.x, -w n.x n.y, -n.x), B = (-w n.x n.y, 1 - w n.y n.y, -n.y)
-// are at right angles to n and to each other, and change with it everywhere but at (0, 0, -1), where T is (1, 0, 0). Of what du is in their plane, p, the
-// angle is added twice: times p^2 / |p|^2 as complex numbers. Where dv lies to the right of it, seen against n, t counts the other way round.
-// A du along n, or of no length, has no angle, and adds 0. Error 1e-6 where du is no closer to n than 0.05 and n no closer to (0, 0, -1).
-//   n = (0, 0, 1), du = (0, 2, 0), dv = (-1, 0, 0), own = (.5, 0): p = (0, 1), p^2 = (-1, 0), the result (-.5, 0)
+// Rotates the slot anisotropy, a (cos 2t, sin 2t), into the frame that the unit normal n alone
+// defines, so a reader needs only n. `own` measures t from du toward dv; the result measures t from
+// T toward B. With w = 1 / (1 + n.z)
+//   T = (1 - w n.x n.x, -w n.x n.y, -n.x)
+//   B = (-w n.x n.y, 1 - w n.y n.y, -n.y)
+// are orthonormal to n and continuous except at (0, 0, -1), where T is (1, 0, 0). With p = (du.T,
+// du.B) the double angle is added by the complex product with p^2 / |p|^2. A left-handed (du, dv)
+// about n reverses t. A zero du, or one parallel to n, adds angle 0. Error 1e-6 while du is at
+// least 0.05 from n, and n from (0, 0, -1).
+//   n = (0, 0, 1), du = (0, 2, 0), dv = (-1, 0, 0), own = (.5, 0):
+//   p = (0, 1), p^2 = (-1, 0), result (-.5, 0)
 vec2 anisotropyStored(vec2 own, vec3 n, vec3 du, vec3 dv) {
     vec3 u = du * inversesqrt(max(dot(du, du), 1.0e-30)), v = dv * inversesqrt(max(dot(dv, dv), 1.0e-30));
     float across = dot(n.xy, n.xy);
@@ -35,32 +40,34 @@ vec2 anisotropyStored(vec2 own, vec3 n, vec3 du, vec3 dv) {
     return vec2(a.x * turn.x - a.y * turn.y, a.x * turn.y + a.y * turn.x);
 }
 
-// A world direction in eye space; the matrix is a rotation, so that lengths and angles stay.
+// Transforms a direction from world to eye space. The matrix is a rotation: lengths and angles are
+// kept.
 vec3 eyeFromWorld(vec3 d) {
     return matc_eyeFromWorld * d;
 }
 
-// v, taken to [0, 1], as the nearest of 2^bits equal steps, bits <= 16.
+// Quantizes v, clamped to [0, 1], to `bits` <= 16 bits, rounding to nearest.
 uint unormBits(float v, int bits) {
     return uint(floor(clamp(v, 0.0, 1.0) * float((1 << bits) - 1) + 0.5));
 }
 
-// Unit normal to the plane of an octahedron in [-1, 1]^2: n / (|x| + |y| + |z|), its lower half folded outward. (0, 0, 0) gives
-// (0, 0), which is +z. No sign(): it is 0 at 0, where the fold wants 1. Error 2e-7.
+// Octahedral encoding of a unit normal in [-1, 1]^2: n / (|x| + |y| + |z|), the lower half folded
+// outward. (0, 0, 0) encodes as +z. sign() would be 0 at 0, where the fold needs 1. Error 2e-7.
 vec2 encodeOctahedral(vec3 n) {
     vec2 p = n.xy / max(abs(n.x) + abs(n.y) + abs(n.z), 1.0e-30);
     vec2 side = vec2(p.x < 0.0 ? -1.0 : 1.0, p.y < 0.0 ? -1.0 : 1.0);
     return n.z < 0.0 ? (1.0 - abs(p.yx)) * side : p;
 }
 
-// Unit normal to two whole numbers in [-s, s], s = 2^(bits-1) - 1, by the nearest point of the octahedron. The axes have codes
-// of their own. A half float holds them exactly for bits <= 12. The power is exact: exp2 errs by less than 1/2 for bits <= 16.
+// Quantizes a unit normal to two integers in [-s, s], s = 2^(bits-1) - 1, on the octahedron. The
+// axes are exact. A half float holds them exactly for bits <= 12. floor() makes exp2 exact for bits
+// <= 16.
 vec2 octahedralWhole(vec3 n, int bits) {
     float scale = floor(exp2(float(bits - 1)) + 0.5) - 1.0;
     return floor(encodeOctahedral(n) * scale + 0.5);
 }
 
-// The two whole numbers of octahedralWhole, moved up to begin at 0, in 2 bits bits: x in the lower ones.
+// Packs octahedralWhole, offset to start at 0, in 2 * bits bits: x in the lower half.
 uint octahedralBits(vec3 n, int bits) {
     float scale = float((1 << (bits - 1)) - 1);
     uvec2 code = uvec2(octahedralWhole(n, bits) + scale);

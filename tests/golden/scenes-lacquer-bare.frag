@@ -10,7 +10,7 @@ in vec3 localTangentV;
 uniform mat3 matc_eyeFromWorld;
 layout(location = 0) out uvec4 fragment0;
 
-// p + rest as a whole cell, less whole periods of 2^25, and a place in it in [0, 1). Exact.
+// Splits p + rest into an integer cell, modulo 2^25, and a position d in [0, 1) in the cell. Exact.
 void cellsCell3(vec3 p, vec3 rest, out vec3 cell, out vec3 d) {
     cell = floor(p);
     d = p - cell + rest;
@@ -19,12 +19,13 @@ void cellsCell3(vec3 p, vec3 rest, out vec3 cell, out vec3 d) {
     cell = cell - 33554432.0 * floor(cell * (1.0 / 33554432.0) + 0.5) + over;
 }
 
-// The distance that cellsFar2 and cellsFar3 compare by.
+// Converts the result of cellsFar2 or cellsFar3 to a distance.
 float cellsDistance(float far, int metric) {
     return metric == 0 ? sqrt(far) : far;
 }
 
-// How the distance to a point (away, far) changes with the place it is seen from; 0 at the point itself.
+// Gradient, by the sample position, of the distance to a point given as (offset, cellsFar3); 0 at
+// the point.
 vec3 cellsRise3(vec4 point, int metric) {
     vec3 side = -sign(point.xyz);
     vec3 a = abs(point.xyz);
@@ -32,13 +33,13 @@ vec3 cellsRise3(vec4 point, int metric) {
     return metric == 1 ? side : side * step(max(a.x, max(a.y, a.z)), a);
 }
 
-// How far away a point is: 0 by the square of its euclidean distance, 1 by the sum, 2 by the greatest of its coordinates.
+// Distance of an offset, for comparison. Metric 0: Euclidean, squared; 1: Manhattan; 2: Chebyshev.
 float cellsFar3(vec3 away, int metric) {
     vec3 a = abs(away);
     return metric == 0 ? dot(away, away) : metric == 1 ? a.x + a.y + a.z : max(a.x, max(a.y, a.z));
 }
 
-// Hash of the cell that lies `offset` from another, with a period of 2^25 along each axis: all 32 bits are good.
+// 32-bit hash of cell + offset, with a period of 2^25 per axis; every bit is well mixed.
 uint cellsHash3(vec3 cell, vec3 offset) {
     uvec3 c = (uvec3(ivec3(cell) + ivec3(offset)) & 33554431u) * uvec3(0x9E3779B1u, 0x85EBCA77u, 0xC2B2AE3Du);
     uint h = c.x ^ c.y ^ (c.z + 0x165667B1u);
@@ -47,16 +48,17 @@ uint cellsHash3(vec3 cell, vec3 offset) {
     return h ^ (h >> 16u);
 }
 
-// Where a cell's point lies in it: 2048, 2048 and 1024 places along the axes, in (0, 1).
+// Position of a cell's point in the cell, in (0, 1): 2048, 2048 and 1024 steps along x, y, z.
 vec3 cellsPlace3(vec3 cell, vec3 offset) {
     uint h = cellsHash3(cell, offset);
     return (vec3(uvec3(h >> 21u, (h >> 10u) & 2047u, h & 1023u)) + 0.5) * vec3(1.0 / 2048.0, 1.0 / 2048.0, 1.0 / 1024.0);
 }
 
-// The points nearest to d in a cell, as (away, far); the second is known where `count` is 2. The 27 cells around are asked first. Points of ring r,
-// of cells that are r away, are at least r - |d - 1/2| - jitter/2 away along an axis: where that is no nearer than what was found, which is nearly
-// always for euclidean distances, the search ends; else those of its cells are asked that may have a nearer one. compiler/library/cells.h proves
-// that none lies beyond ring 3.
+// Finds the points nearest to d in a cell, as (offset, cellsFar3); `second` is valid only for count
+// 2. Visits the 3 x 3 x 3 neighborhood first. Points of ring r are at least r - |d - 1/2| -
+// jitter/2 away along an axis, so the search usually ends there for Euclidean distances; otherwise
+// it visits the cells of rings 2 and 3 that may hold a nearer point. cells.h proves that ring 3
+// suffices.
 void cellsSearch3Visit(vec3 away, int metric, inout vec4 first, inout vec4 second) {
     float far = cellsFar3(away, metric);
     if (far < first.w) {
@@ -94,7 +96,8 @@ void cellsSearch3(vec3 cell, vec3 d, float jitter, int metric, int count, out ve
     }
 }
 
-// Gradient by p of cells3(p, rest, jitter, metric, value), then its value. Error 6e-6 of the gradient, which is steeper the nearer the point, 6e-7 of the value.
+// Gradient by p (xyz) and value (w) of cells3(p, rest, jitter, metric, value). Error of the
+// gradient 6e-6, divided by the distance to the point; of the value 6e-7.
 vec4 cells3Gradient(vec3 p, vec3 rest, float jitter, int metric, int value) {
     vec3 cell, d;
     vec4 first, second;
@@ -105,8 +108,9 @@ vec4 cells3Gradient(vec3 p, vec3 rest, float jitter, int metric, int value) {
     return value == 0 ? nearest : value == 1 ? next : next - nearest;
 }
 
-// v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
-// no square over- or underflows, and a great one is scaled down before, so that its reciprocal does not. Relative error 2e-7.
+// v / |v| for every finite v; (0, 0, 1) if all components are below 1e-37. v is divided by its
+// largest component, so no square over- or underflows; large vectors are scaled down first, so the
+// reciprocal does not underflow. Relative error 2e-7.
 vec3 safeNormalize(vec3 v) {
     float greatest = max(max(abs(v.x), abs(v.y)), abs(v.z));
     float scale = greatest > 1.0e37 ? 1.0 / 1024.0 : 1.0;
@@ -115,27 +119,29 @@ vec3 safeNormalize(vec3 v) {
     return greatest < 1.0e-37 ? vec3(0.0, 0.0, 1.0) : unit;
 }
 
-// A world direction in eye space; the matrix is a rotation, so that lengths and angles stay.
+// Transforms a direction from world to eye space. The matrix is a rotation: lengths and angles are
+// kept.
 vec3 eyeFromWorld(vec3 d) {
     return matc_eyeFromWorld * d;
 }
 
-// Unit normal to the plane of an octahedron in [-1, 1]^2: n / (|x| + |y| + |z|), its lower half folded outward. (0, 0, 0) gives
-// (0, 0), which is +z. No sign(): it is 0 at 0, where the fold wants 1. Error 2e-7.
+// Octahedral encoding of a unit normal in [-1, 1]^2: n / (|x| + |y| + |z|), the lower half folded
+// outward. (0, 0, 0) encodes as +z. sign() would be 0 at 0, where the fold needs 1. Error 2e-7.
 vec2 encodeOctahedral(vec3 n) {
     vec2 p = n.xy / max(abs(n.x) + abs(n.y) + abs(n.z), 1.0e-30);
     vec2 side = vec2(p.x < 0.0 ? -1.0 : 1.0, p.y < 0.0 ? -1.0 : 1.0);
     return n.z < 0.0 ? (1.0 - abs(p.yx)) * side : p;
 }
 
-// Unit normal to two whole numbers in [-s, s], s = 2^(bits-1) - 1, by the nearest point of the octahedron. The axes have codes
-// of their own. A half float holds them exactly for bits <= 12. The power is exact: exp2 errs by less than 1/2 for bits <= 16.
+// Quantizes a unit normal to two integers in [-s, s], s = 2^(bits-1) - 1, on the octahedron. The
+// axes are exact. A half float holds them exactly for bits <= 12. floor() makes exp2 exact for bits
+// <= 16.
 vec2 octahedralWhole(vec3 n, int bits) {
     float scale = floor(exp2(float(bits - 1)) + 0.5) - 1.0;
     return floor(encodeOctahedral(n) * scale + 0.5);
 }
 
-// The two whole numbers of octahedralWhole, moved up to begin at 0, in 2 bits bits: x in the lower ones.
+// Packs octahedralWhole, offset to start at 0, in 2 * bits bits: x in the lower half.
 uint octahedralBits(vec3 n, int bits) {
     float scale = float((1 << (bits - 1)) - 1);
     uvec2 code = uvec2(octahedralWhole(n, bits) + scale);

@@ -332,7 +332,7 @@ static void wrong_compile(void)
     MatcOptions options = of.options;
     assert_not_compiled(matc_compile(NULL, 0, MATC_FRAGMENT, NULL), "'document' is NULL");
     assert_not_compiled(matc_compile(NULL, -1, UINT_MAX, &of.unset), "matc_options_init");
-    assert_not_compiled(matc_compile(of.faulty, 0, MATC_FRAGMENT, NULL), "there is no material 0");
+    assert_not_compiled(matc_compile(of.faulty, 0, MATC_FRAGMENT, NULL), "no material 0");
     assert_not_compiled(matc_compile(of.fine, 0, 1u << 17, &of.options), "none of MatcOutput");
     assert_not_compiled(matc_compile(of.fine, 0, UINT_MAX, &of.options), "none of MatcOutput");
     options.pass = "passes";
@@ -346,7 +346,7 @@ static void wrong_compile(void)
     assert_not_compiled(matc_compile(of.fine, 0, MATC_FRAGMENT, &options), "3000 members");
     for (int i = 0; i < OUTSIDE; i++)
         assert_not_compiled(matc_compile(of.fine, outside[i], MATC_FRAGMENT, NULL),
-                            "there is no material");
+                            "no material");
 }
 
 static void wrong_emit(void)

@@ -20,9 +20,9 @@ for kind in zero null full random; do
 done
 for kind in pipe folder zero null full random; do
     case $kind in
-    pipe) why='it is a pipe' && named='nothing comes out of this pipe' ;;
+    pipe) why='the file is a pipe' && named='the pipe has no data' ;;
     folder) why='Is a directory' && named=$why ;;
-    *) why='it is a device' && named=$why ;;
+    *) why='the file is a device' && named=$why ;;
     esac
     printf 'material: Phong\ninclude: %s.yaml\n' $kind >"$work/include.yaml"
     printf 'material: Phong\ndiffuse: { map: ImageMap, image: %s.png }\n' $kind >"$work/picture.yaml"
@@ -98,9 +98,9 @@ else
     skipped=77
 fi
 check "endless standard input" status 1 $fast - </dev/zero
-check "is too large" says 'it is too large'
+check "is too large" says 'the file is too large'
 cat /dev/zero | timeout 20 "$matc" /dev/stdin 2>"$work/stderr"
-check "by its name too" says 'it is too large'
+check "by its name too" says 'the file is too large'
 
 # -- a zero byte, which would end the path
 

@@ -145,7 +145,7 @@ static int count_unusual(const KindRow *kind, const char *param, double number,
     return count;
 }
 
-/* "angle is 7 radians, and usually from -6.283 to 6.283": borders to three digits behind the point.
+/* "angle is 7 radians, but is usually from -6.283 to 6.283": borders to three digits behind the point.
  * */
 static void assert_message(const char *message, const char *param, const UnitGroup *group,
                            double number)
@@ -154,7 +154,7 @@ static void assert_message(const char *message, const char *param, const UnitGro
     snprintf(begin, sizeof begin, "%s is ", param);
     assert_int_equal(strncmp(message, begin, strlen(begin)), 0);
     assert_true(strtod(message + strlen(begin), &rest) == number);
-    snprintf(end, sizeof end, "%s%s, and usually from %.10g to %.10g", *group->name ? " " : "",
+    snprintf(end, sizeof end, "%s%s, but is usually from %.10g to %.10g", *group->name ? " " : "",
              group->name, round(group->low * 1000) / 1000, round(group->high * 1000) / 1000);
     assert_string_equal(rest, end);
 }

@@ -188,7 +188,7 @@ static void another_constant_is_told(void **state)
         MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT, &options);
         assert_true(matc_ok(program));
         const char *reported = matc_program_diagnostics(program, MATC_TEXT);
-        assert_true((strstr(reported, "warning: layout k gives back another shininess") != NULL) ==
+        assert_true((strstr(reported, "warning: layout k returns a constant shininess") != NULL) ==
                     (i == 1));
         matc_program_free(program);
         matc_document_free(document);

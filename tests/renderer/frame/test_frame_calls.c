@@ -222,11 +222,11 @@ static void views_need_less(void **state)
     static const struct {
         const char *view, *rests, *lights;
     } cases[] = {{"depth", "light depth, gbuffer, shadow light not run: nobody needs it", "auto"},
-                 {"normal", "shown RGBA8 not there", "auto"},
+                 {"normal", "shown RGBA8 not allocated", "auto"},
                  {"light", "tone light shown not run: nobody needs it", "auto"},
                  {NULL, "plane depth, gbuffer depth, gbuffer not run: nothing to do", "auto"},
                  {NULL, "gather depth, gbuffer far not run: lights are few", "auto"},
-                 {"depth", "far two buffers not there", "auto"},
+                 {"depth", "far two buffers not allocated", "auto"},
                  {NULL, "gather depth, gbuffer far not run: all lights are asked for", "all"},
                  {NULL,
                   "gather depth, gbuffer far lights are many, and far ones are taken together",
@@ -255,8 +255,8 @@ static void views_need_less(void **state)
     }
     assert_null(renderer_open(gl, &(RendererOptions){.compile = &options, .view = "deep"}));
     assert_string_equal(gl->error,
-                        "there is no view 'deep': shown, wireframe, volume, light, depth, shadow, "
-                        "positions, voxels, open, indirect, bent, visibility, or a slot");
+                        "unknown view 'deep'; expected shown, wireframe, volume, light, depth, "
+                        "shadow, positions, voxels, open, indirect, bent, visibility, or a slot");
     gl_close(gl);
     frame_forget(scene, document);
 }

@@ -166,7 +166,7 @@ static void capacity(void **state)
 {
     (void)state;
     Drawn d = draw(&(RendererOptions){0});
-    assert_true(graph_has(d.renderer, "sheets RG32UI 16: what planes let through of 2 lights"));
+    assert_true(graph_has(d.renderer, "sheets RG32UI 16: plane transmittance of 2 lights"));
     assert_true(graph_has(d.renderer, "lists depth lists not run: nothing to do")); /* peeled */
     assert_true(renderer_set_scene(d.renderer, d.scene));
     renderer_close(d.renderer);

@@ -241,7 +241,7 @@ static void faults_have_places(void **state)
         CASE("{\"bufferView\":0,\"componentType\":5126,\"count\":6,\"type\":\"SCALAR\"}",
              "its accessor has another count than"),
         CASE("{\"bufferView\":9,\"componentType\":5126,\"count\":7,\"type\":\"SCALAR\"}",
-             "its bufferView is not there"),
+             "its bufferView does not exist"),
         CASE("{\"bufferView\":0,\"byteOffset\":25,\"componentType\":5126,\"count\":7,\"type\":"
              "\"SCALAR\"}",
              "its accessor ends behind"),
@@ -262,9 +262,9 @@ static void faults_have_places(void **state)
         SPARSE("\"count\":1", "its sparse indices' componentType is none of"),
         SPARSE("\"count\":1,\"indices\":{\"componentType\":5126}",
                "its sparse indices' componentType is none of"),
-        SPARSE("\"count\":1,\"indices\":{\"componentType\":5121}", "its bufferView is not there"),
+        SPARSE("\"count\":1,\"indices\":{\"componentType\":5121}", "its bufferView does not exist"),
         SPARSE("\"count\":1,\"indices\":{\"componentType\":5121,\"bufferView\":0}",
-               "its bufferView is not there"),
+               "its bufferView does not exist"),
         SPARSE("\"count\":7,\"indices\":{\"componentType\":5125,\"bufferView\":1}",
                "its sparse values end behind"),
         SPARSE("\"count\":7,\"indices\":{\"componentType\":5121,\"bufferView\":0},\"values\":{"
