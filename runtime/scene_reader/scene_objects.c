@@ -107,7 +107,7 @@ static bool check_parallelogram(SceneReader *r, const SceneNodeDesc *desc,
 {
     return desc->kind != SCENE_Parallelogram || vec3_span(object->numbers, object->numbers + 3) ||
            fault(r, scene_node_span(desc, S_Parallelogram_v), DIAG_scene_flat,
-                 "u and v span nothing");
+                 "u and v are parallel");
 }
 
 /* Returns the object's own material, or that of its group. */

@@ -543,7 +543,7 @@ static void refused(void **state)
     assert_false(matc_renderer_set_param(h.render, 0, "paints", (float[3]){0}, 3));
     assert_as_own(&h, text); /* none of it changed anything */
     assert_null(matc_scene_read("m.yaml", "material: Phong\n", 16, NULL, &document));
-    assert_non_null(strstr(matc_diagnostics(document, MATC_TEXT), "the document is no scene"));
+    assert_non_null(strstr(matc_diagnostics(document, MATC_TEXT), "the document is not a scene"));
     matc_document_free(document);
     close_host(&h);
 }

@@ -145,8 +145,8 @@ static int count_unusual(const KindRow *kind, const char *param, double number,
     return count;
 }
 
-/* "angle is 7 radians, but is usually from -6.283 to 6.283": borders to three digits behind the point.
- * */
+/* "angle is 7 radians, but is usually from -6.283 to 6.283": borders have three
+ * decimals. */
 static void assert_message(const char *message, const char *param, const UnitGroup *group,
                            double number)
 {

@@ -153,7 +153,8 @@ static void advice_says_both_readings(void **state)
     const char *advice = strstr(reported, "a.yaml:2:10: note: "),
                *third = strstr(reported, "a.yaml:3:"), *fourth = strstr(reported, "a.yaml:4:");
     assert_non_null(advice);
-    assert_non_null(strstr(advice, "'#808080' is [0.502, 0.502, 0.502]; if colors come from a color picker, write `colors: srgb`"));
+    assert_non_null(strstr(advice, "'#808080' is [0.502, 0.502, 0.502]; if colors come from a "
+                                   "color picker, write `colors: srgb`"));
     assert_non_null(
         strstr(advice, "[0.216, 0.216, 0.216], otherwise `colors: linear` [-Wlinear_colors]"));
     assert_true(advice < third && third < fourth);

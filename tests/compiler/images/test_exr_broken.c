@@ -14,8 +14,8 @@ static void kinds_that_are_refused(void **state)
         ExrHeader header;
         const char *why;
     } rows[] = {
-        {{SMALL, "Z", {FLOAT}, 0, 0, 0}, "none of R, G, B, A and Y"},
-        {{SMALL, "A", {FLOAT}, 0, 0, 0}, "none of R, G, B, A and Y"},
+        {{SMALL, "Z", {FLOAT}, 0, 0, 0}, "none of the channels R, G, B, A and Y"},
+        {{SMALL, "A", {FLOAT}, 0, 0, 0}, "none of the channels R, G, B, A and Y"},
         {{SMALL, "BGR", {HALF, UINT, HALF}, 0, 0, 0}, "whole numbers"},
         {{WINDOW(4, 4), WINDOW(4, 4), "Y", {HALF}, 0, 2, 0}, "subsampled"},
         {{SMALL, "Y", {HALF}, B44, 0, 0}, "save it with one of these"},

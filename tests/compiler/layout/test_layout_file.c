@@ -157,8 +157,8 @@ static void json_is_read_too(void **state)
     matc_program_free(program);
     options.target = "glsl110";
     program = matc_compile(document, 0, MATC_FRAGMENT, &options);
-    assert_non_null(
-        strstr(matc_program_diagnostics(program, MATC_TEXT), "layout j packs whole numbers"));
+    assert_non_null(strstr(matc_program_diagnostics(program, MATC_TEXT),
+                           "layout j needs integer render targets"));
     matc_program_free(program);
     matc_document_free(document);
     matc_layout_free(layout);

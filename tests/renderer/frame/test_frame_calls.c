@@ -206,7 +206,7 @@ static void programs_are_shared(void **state)
         /* 10 bits */
         assert_true(fabs(rgba[4 * (15 * 90 + 15 + 30 * (i / 3)) + i % 3] - .1 * (i + 1)) < 5e-4);
     char *stats = renderer_stats(renderer);
-    assert_non_null(strstr(stats, "3 materials, 3 programs of 1 texts"));
+    assert_non_null(strstr(stats, "3 materials, 3 programs of 1 distinct sources"));
     assert_non_null(strstr(stats, "in 1 meshes"));
     free(stats);
     free(rgba);

@@ -244,15 +244,15 @@ static void faults_have_places(void **state)
              "its bufferView does not exist"),
         CASE("{\"bufferView\":0,\"byteOffset\":25,\"componentType\":5126,\"count\":7,\"type\":"
              "\"SCALAR\"}",
-             "its accessor ends behind"),
+             "its accessor exceeds"),
         CASE("{\"bufferView\":0,\"byteOffset\":4294967295,\"componentType\":5126,\"count\":7,"
              "\"type\":\"SCALAR\"}",
              "its accessor ends"),
         CASE("{\"bufferView\":0,\"byteOffset\":-4,\"componentType\":5126,\"count\":7,\"type\":"
              "\"SCALAR\"}",
-             "its accessor ends behind"),
+             "its accessor exceeds"),
         CASE("{\"bufferView\":1,\"componentType\":5126,\"count\":7,\"type\":\"SCALAR\"}",
-             "its accessor ends behind the end"),
+             "its accessor exceeds"),
         CASE("{\"bufferView\":0,\"componentType\":5125,\"count\":7,\"type\":\"SCALAR\"}",
              "its accessor's componentType is none"),
         CASE("{\"bufferView\":0,\"componentType\":5126,\"count\":7,\"type\":\"MAT4\"}",
