@@ -15,7 +15,7 @@ struct Surface {
     vec3 diffuse; // Diffuse color.
     vec3 specular; // Specular color.
     float shininess; // Phong exponent of the specular lobe.
-    vec3 transparency; // Transparency, with alpha taken in: 1 + alpha (c - 1).
+    vec3 transparency; // Transparency, including alpha: 1 + alpha (c - 1).
     vec3 diffuseTransparency; // Color of diffusely transmitted light.
 };
 

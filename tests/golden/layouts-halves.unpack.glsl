@@ -14,7 +14,7 @@ struct Surface {
     vec3 diffuse; // Diffuse color.
     vec3 specular; // Specular color.
     float shininess; // Phong exponent of the specular lobe.
-    vec3 emissive; // Light that the surface sends out.
+    vec3 emissive; // Light that the surface emits.
 };
 
 // Inverse of halfFromCode: an integer in [0, 61439] for any value. Comparisons find the exponent;

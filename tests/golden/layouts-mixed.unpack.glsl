@@ -19,12 +19,12 @@ struct Surface {
     vec3 diffuse; // Diffuse color.
     vec3 specular; // Specular color.
     float shininess; // Phong exponent of the specular lobe.
-    vec3 transparency; // Transparency, with alpha taken in: 1 + alpha (c - 1).
+    vec3 transparency; // Transparency, including alpha: 1 + alpha (c - 1).
     float transparencyShininess; // Phong exponent of the transmitted lobe.
-    float interpolatedTransparency; // 1 when transparency replaces diffuse and specular, 0 when it adds to them.
+    float interpolatedTransparency; // 1 if transparency replaces diffuse and specular, 0 if it adds to them.
     vec3 diffuseTransparency; // Color of diffusely transmitted light.
-    vec3 ambient; // Color that ambient light is multiplied with.
-    vec3 emissive; // Light that the surface sends out.
+    vec3 ambient; // Factor on ambient light.
+    vec3 emissive; // Light that the surface emits.
     float ior; // Ratio of the indices of refraction.
 };
 
