@@ -80,11 +80,11 @@ for wrong in "--target=gls330 glsl330" "--pass=gbufer gbuffer" "--slot=difuse di
 done
 check "and what there is is listed" status 2 $fast --target=hlsl $example
 check "by name" says "target: unknown value 'hlsl'; expected glsl110, glsl330, glsl450, essl300, spirv"
-for wrong in "-O5 5 but 0, 1, 2; see" "--eval=u=x x is no number: a point" "--eval=w=3 w but px, py, .*, ior, ex, .*, time, objectRandom, front; see" "--eval=fornt=1 fornt but .*; did you mean 'front'" \
-    "--eval=u u is no channel=number" "-Wno-foo foo but unquoted_color, .*, flat_displacement; see"; do
+for wrong in "-O5 5 expected 0, 1, 2; see" "--eval=u=x x is not a number; a point" "--eval=w=3 w expected px, py, .*, ior, ex, .*, time, objectRandom, front; see" "--eval=fornt=1 fornt expected .*; did you mean 'front'" \
+    "--eval=u u is not channel=number" "-Wno-foo foo expected unquoted_color, .*, flat_displacement; see"; do
     what=${wrong#* }
     check "a word: ${wrong%% *}" status 2 $fast "${wrong%% *}" $example -o "$work/none.frag"
-    check "is quoted, with what there is" says "'${what%% *}',\{0,1\} ${what#* }"
+    check "is quoted, with what there is" says "'${what%% *}'[,;]\{0,1\} ${what#* }"
 done
 for wrong in -j0 --cache-limit=none --max-error=x --range=-1 --layout-error=2; do
     check "a number: $wrong" status 2 $fast -d "$work/none" "$wrong" $example
@@ -329,7 +329,7 @@ check "with its name" grep -q "$layout" "$work/own/manifest.d"
 check "--explain of a file" status 0 "$matc" --explain $layout
 check "shows its fields" prints '0.r 24-31  diffuse.r'
 check "a layout that is none" status 1 $fast --layout=$example $example
-check "says so" says 'a layout is an object'
+check "says so" says 'a layout must be an object'
 check "a layout that is not there" status 1 $fast --layout=./nothing $example
 check "says why" says 'nothing: No such file'
 check "an unknown layout" status 2 $fast --layout=nothing $example

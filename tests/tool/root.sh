@@ -40,7 +40,7 @@ for file in passwd settings daemon.yaml daemon.json; do
         for form in text json; do
             check "$path is no document" status 1 compile --diagnostics=$form
             check "$path is not quoted ($form)" is_secret
-            check "which is said at its name ($form)" grep -q 'is no document' "$work/stderr"
+            check "which is said at its name ($form)" grep -q 'is not a document' "$work/stderr"
         done
     done
 done

@@ -107,10 +107,10 @@ check "by its name too" says 'the file is too large'
 for way in "-o $work/none.frag" "-d $work/none"; do
     printf 'material: Phong\ninclude: "none.yaml\\0x"\n' >"$work/zero1.yaml"
     check "a path with a zero byte" status 1 $fast "$work/zero1.yaml" $way
-    check "has a place" says 'zero1.yaml:2:10: error: a text with a zero byte'
+    check "has a place" says 'zero1.yaml:2:10: error: a string must not contain a zero byte'
     printf '{"material": "Phong", "diffuse": {"map": "ImageMap", "image": "none.png\\u0000x"}}' >"$work/zero2.json"
     check "of a picture, in JSON" status 1 $fast "$work/zero2.json" $way
-    check "has a place" says 'zero2.json:1:63: error: a text with a zero byte'
+    check "has a place" says 'zero2.json:1:63: error: a string must not contain a zero byte'
     printf 'material: Phong\n"diffuse\\0": 1\n' >"$work/zero3.yaml"
     check "a key" status 1 $fast "$work/zero3.yaml" $way
     check "too" says 'zero3.yaml:2:1: error: '

@@ -71,7 +71,7 @@ check "is told from those that are" says "^matview: --aa: unknown value 'sharp';
 for wrong in "--shape=plan plane" "--slot=norml normal" "--gl=elg egl" "--edges=covrage coverage" "--format=pgn png" "--shadows=maps map" "--indirect=marsh march" \
     "--tools=grid,axis axes" "--emit=fram frame" "--transparency=list lists" "--lights=al all" "--shap=plane --shape"; do
     check "a misspelt word: ${wrong% *}" status 2 $draw "${wrong% *}" $example -o "$work/none.png"
-    check "is quoted, and the right one guessed" says "there is no .*'.*; did you mean '${wrong#* }'"
+    check "is quoted, and the right one guessed" says "unknown .*'.*; did you mean '${wrong#* }'"
 done
 for wrong in "--size=x not 'x'" "--samples=9 not '9'" "--bits=1 not '1'" "--memory=0 not '0'" "--camera=frnt not 'frnt'" "--watch=3 takes no value" \
     "--frames=x not 'x'" "--time=x not 'x'" "--frame=1-2 not '1-2'" "--contact=tea.exr not 'tea.exr'"; do
