@@ -221,18 +221,18 @@ static void views_need_less(void **state)
     (void)state;
     static const struct {
         const char *view, *rests, *lights;
-    } cases[] = {{"depth", "light depth, gbuffer, shadow light not run: nobody needs it", "auto"},
-                 {"normal", "shown RGBA8 not allocated", "auto"},
-                 {"light", "tone light shown not run: nobody needs it", "auto"},
-                 {NULL, "plane depth, gbuffer depth, gbuffer not run: nothing to do", "auto"},
-                 {NULL, "gather depth, gbuffer far not run: lights are few", "auto"},
-                 {"depth", "far two buffers not allocated", "auto"},
-                 {NULL, "gather depth, gbuffer far not run: all lights are asked for", "all"},
-                 {NULL,
-                  "gather depth, gbuffer far lights are many, and far ones are taken together",
-                  "bounded"},
-                 {NULL, "light depth, gbuffer, shadow, far light always", "bounded"},
-                 {"light", "far two buffers 4: 3536 bytes for blocks of 32 x 32", "bounded"}};
+    } cases[] = {
+        {"depth", "light depth, gbuffer, shadow light not run: nobody needs it", "auto"},
+        {"normal", "shown RGBA8 not allocated", "auto"},
+        {"light", "tone light shown not run: nobody needs it", "auto"},
+        {NULL, "plane depth, gbuffer depth, gbuffer not run: nothing to do", "auto"},
+        {NULL, "light_cluster depth, gbuffer far not run: lights are few", "auto"},
+        {"depth", "far two buffers not allocated", "auto"},
+        {NULL, "light_cluster depth, gbuffer far not run: all lights are asked for", "all"},
+        {NULL, "light_cluster depth, gbuffer far lights are many, and far ones are taken together",
+         "bounded"},
+        {NULL, "light depth, gbuffer, shadow, far light always", "bounded"},
+        {"light", "far two buffers 4: 3536 bytes for blocks of 32 x 32", "bounded"}};
     const MatcOptions options = frame_exact_options();
     MatcDocument *document;
     Scene *scene =
