@@ -165,7 +165,7 @@ void transparency_put_lists(Text *out, const Renderer *renderer)
                     "a buffer", 4 * transparency_stride(&renderer->set),
                     (unsigned long)lists->bytes, (unsigned long)lists->fragments);
     else
-        text_format(out, "%-8s  %-24s  not there\n", "lists", "a buffer");
+        text_format(out, "%-8s  %-24s  not allocated\n", "lists", "a buffer");
 }
 
 static void pass_blend_place(Renderer *renderer)

@@ -18,7 +18,7 @@ static void kinds_that_are_refused(void **state)
         {{SMALL, "A", {FLOAT}, 0, 0, 0}, "none of the channels R, G, B, A and Y"},
         {{SMALL, "BGR", {HALF, UINT, HALF}, 0, 0, 0}, "channels are integers"},
         {{WINDOW(4, 4), WINDOW(4, 4), "Y", {HALF}, 0, 2, 0}, "subsampled"},
-        {{SMALL, "Y", {HALF}, B44, 0, 0}, "save it with one of these"},
+        {{SMALL, "Y", {HALF}, B44, 0, 0}, "use none, RLE, ZIPS, ZIP or PIZ"},
         {{WINDOW(1, 1), WINDOW(LIMIT_IMAGE_SIDE + 1, 1), "Y", {HALF}, 0, 0, 0},
          "the image is too large"},
         {{WINDOW(1, 1), {0, 0, -1, 0}, "Y", {HALF}, 0, 0, 0}, ""},

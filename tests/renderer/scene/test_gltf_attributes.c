@@ -254,7 +254,7 @@ static void faults_have_places(void **state)
         CASE("{\"bufferView\":1,\"componentType\":5126,\"count\":7,\"type\":\"SCALAR\"}",
              "its accessor exceeds"),
         CASE("{\"bufferView\":0,\"componentType\":5125,\"count\":7,\"type\":\"SCALAR\"}",
-             "its accessor's componentType is none"),
+             "its accessor's componentType is not"),
         CASE("{\"bufferView\":0,\"componentType\":5126,\"count\":7,\"type\":\"MAT4\"}",
              "its accessor's type is not"),
         SPARSE("", "its accessor has more sparse values than vertices"),
@@ -283,7 +283,7 @@ static void faults_have_places(void **state)
               "2,\"TEXCOORD_5\":2,"
               "\"TEXCOORD_6\":2,"
               "\"TEXCOORD_7\":2,\"_A\":2",
-              AT "no room for it beside eight sets"),
+              AT "all eight sets of texture coordinates are in use"),
         {"{\"asset\":{\"version\":\"2.0\"},\"meshes\":[{\"primitives\":[{\"attributes\":{\"_A\":0}}"
          "]}]}",
          "meshes/0/primitives/0/attributes/_A: its primitive has no POSITION"},
@@ -292,7 +292,7 @@ static void faults_have_places(void **state)
          "4294967295}]}",
          "meshes/0/primitives/0/attributes/_A: more vertices than are drawn"},
         {FILE_OF("\"uri\":\"gone.bin\",", "\"_A\":2", NUMBER "," NUMBER),
-         "meshes/0/primitives/0/attributes/_OTHER: no such file"},
+         "meshes/0/primitives/0/attributes/_OTHER: the file does not exist"},
         {"{\"meshes\":[{\"primitives\":[{\"attributes\":{\"_A\":0", ""},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
