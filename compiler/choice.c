@@ -266,14 +266,15 @@ const char *choice_fault(Arena *arena, const MatcOptions *options)
         return NULL;
     Text out = text_new(arena);
     if (!strcmp(option, "size")) {
-        text_put(&out, "the options were not set by matc_options_init");
+        text_put(&out, "the options were not initialized by matc_options_init");
         return out.at;
     }
     if (!value || !choice_values(option, &values)) {
-        text_format(&out, "%s: the one that was given has faults of its own", option);
+        text_format(&out, "%s: the given layout has errors", option);
         return out.at;
     }
-    text_format(&out, "%s: there is no '%s', but %s%s", option, value, suggest_list(arena, &values),
+    text_format(&out, "%s: unknown value '%s'; expected %s%s", option, value,
+                suggest_list(arena, &values),
                 suggest(arena, value, values.name, values.user, values.count));
     return out.at;
 }

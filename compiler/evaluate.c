@@ -36,7 +36,7 @@ static const char *read_point(const Graph *graph, Surface *surface, const char *
         memcpy(key, at, name);
         if (!set_channel(graph, surface, key, value))
             return *key == ATTRIBUTE_MARK
-                       ? "the document has no attribute of that name, or that lane"
+                       ? "the document has no attribute of that name, or no such component"
                        : "no such channel; see --list";
         *word += size;
     }
@@ -66,13 +66,13 @@ const char *evaluate_point_fault(Arena *arena, const char *point)
     const size_t size = strcspn(word, " ,\t\n"), name = strcspn(word, "=");
     const char *key = arena_string(arena, word, name < size ? name : size);
     if (name < size && strlen(key) < LONGEST_CHANNEL && set_channel(NULL, &surface, key, 0))
-        text_format(&out, "'%s' is no number: a point is a list of channel=number",
+        text_format(&out, "'%s' is not a number; a point is a list of channel=number",
                     arena_string(arena, word + name + 1, size - name - 1));
     else if (name < size)
-        text_format(&out, "there is no channel '%s', but %s%s", key, suggest_list(arena, &names),
+        text_format(&out, "unknown channel '%s'; expected %s%s", key, suggest_list(arena, &names),
                     suggest(arena, key, point_name, NULL, names.count));
     else
-        text_format(&out, "'%s' is no channel=number, of which a point is a list", key);
+        text_format(&out, "'%s' is not channel=number; a point is a list of channel=number", key);
     return out.at;
 }
 
@@ -105,9 +105,9 @@ static const char *evaluate(const MatcDocument *d, int material, const char *poi
     const char *word;
     oracle_surface_default(&surface);
     if (!choice_is_set(options))
-        return "the options were not set by matc_options_init";
+        return "the options were not initialized by matc_options_init";
     if (choice_job(options, &job))
-        return "an option has no such value; see matc_options_fault";
+        return "an option has an invalid value; see matc_options_fault";
     if (!d)
         return "the document is NULL";
     const char *fault = read_point(d->graph, &surface, point ? point : "", &word);
@@ -116,8 +116,7 @@ static const char *evaluate(const MatcDocument *d, int material, const char *poi
     if (!d->graph || material < 0 || material >= d->graph->material_count)
         return "no such material";
     if (!evaluate_material(d, material, options, (SurfacePoints){&surface, 1}, values))
-        return "the value takes too many operations: filters within filters, over maps that cost "
-               "much";
+        return "evaluation takes too many operations: nested filters over expensive maps";
     return NULL;
 }
 

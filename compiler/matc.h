@@ -58,9 +58,8 @@ typedef char *(*MatcReadFile)(void *user, const char *path, size_t *size, const 
 /* Options, with the names of the command line; NULL selects the default. Initialize by
  * matc_options_init, then change members. */
 typedef struct {
-    size_t size; /* sizeof(MatcOptions) of the calling program, in bytes */
-    /* target language: "glsl110", "glsl330" (default), "glsl450", "essl300", "spirv" */
-    const char *target;
+    size_t size;        /* sizeof(MatcOptions) of the calling program, in bytes */
+    const char *target; /* "glsl110", "glsl330" (default), "glsl450", "essl300", "spirv" */
     /* "gbuffer" (default), "plane", "sky", "shadow", "depth", "value", "displacement" */
     const char *pass;
     const char *slot; /* slot of the pass "value": "diffuse" (default), "normal", ... */

@@ -52,7 +52,7 @@ char *file_read_from(int descriptor, size_t *size, const char **why)
             continue;
         }
         if (got < 0 || used > most) {
-            *why = got < 0 ? text_error(errno) : "it is too large";
+            *why = got < 0 ? text_error(errno) : "the file is too large";
             free(text);
             return NULL;
         }
@@ -75,8 +75,8 @@ const char *file_refuses(int descriptor)
     if (S_ISREG(info.st_mode))
         return NULL;
     return S_ISDIR(info.st_mode)    ? text_error(EISDIR)
-           : S_ISFIFO(info.st_mode) ? "it is a pipe"
-                                    : "it is a device";
+           : S_ISFIFO(info.st_mode) ? "the file is a pipe"
+                                    : "the file is a device";
 }
 
 int file_open(const char *path, const char **why)
@@ -108,7 +108,7 @@ static char *read_pipe(int descriptor, size_t *size, const char **why)
     char *text = file_read_from(descriptor, size, why);
     if (!text || *size)
         return text;
-    *why = "nothing comes out of this pipe";
+    *why = "the pipe has no data";
     free(text);
     return NULL;
 }

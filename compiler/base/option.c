@@ -16,7 +16,8 @@ const char *option_fault_value(Arena *arena, const char *option, const char *val
                                const NameChoice *values)
 {
     Text out = text_new(arena);
-    text_format(&out, "%s: there is no '%s', but %s%s", option, value, suggest_list(arena, values),
+    text_format(&out, "%s: unknown value '%s'; expected %s%s", option, value,
+                suggest_list(arena, values),
                 suggest(arena, value, values->name, values->user, values->count));
     return out.at;
 }
@@ -134,7 +135,7 @@ static const char *missing_value(const Reader *r, const Option *option)
 {
     NameChoice values = option->words;
     Text out = text_new(r->arena);
-    text_format(&out, "%s wants a value", option->name);
+    text_format(&out, "%s expects a value", option->name);
     if (values.count || (r->table->values && r->table->values(option->name, &values)))
         text_format(&out, ": %s", suggest_list(r->arena, &values));
     return out.at;
@@ -153,7 +154,7 @@ static const char *unknown(const Reader *r, const char *argument)
     Text out = text_new(r->arena);
     if (find_word(&names, name, strlen(name)) >= 0)
         return say(r->arena, name, " takes no value");
-    text_format(&out, "there is no option '%s'%s", name,
+    text_format(&out, "unknown option '%s'%s", name,
                 suggest(r->arena, name, names.name, names.user, names.count));
     return out.at;
 }

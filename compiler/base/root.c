@@ -13,7 +13,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-const char root_outside[] = "it lies outside the root folder";
+const char root_outside[] = "it is outside the root folder";
 
 void root_normalize(char *path)
 {

@@ -141,7 +141,7 @@ void describe_piece(Text *out, const Piece *piece)
 {
     const SlotComponent *source = &piece->field->source[piece->first];
     if (piece->field->gray) {
-        text_format(out, "%s, all lanes alike", slot_table[source->slot].name);
+        text_format(out, "%s, equal in all components", slot_table[source->slot].name);
         return;
     }
     for (int i = 0, run; i < piece->count; i += run) {

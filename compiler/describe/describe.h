@@ -8,7 +8,7 @@
 #include "grammar/key_table.h"
 #include "grammar/scene_tables.h"
 
-#define CHAIN_DOC "second(factor * first(v) + shift): two waves, one after the other."
+#define CHAIN_DOC "second(factor * first(v) + shift): two waveforms, applied one after the other."
 
 /* Returns the JSON Schema of a file type of files.def, such as "manifest"; from malloc, NULL if
  * unknown. describe_files.c */

@@ -150,13 +150,14 @@ static void explain_waves(const Query *q)
                         "%s (wave)\n%s\n\nExample\n  diffuse: { map: Gradient, waveForm: %s }\n",
                         wave_table[i].name, wave_table[i].doc, wave_table[i].name);
     if (begins(q, "Chain"))
-        text_put(q->out, "Chain (wave)\n" CHAIN_DOC "\n\nFields: name, type, default\n"
-                         "  first   wave    none  The one that comes first; none is v itself.\n"
-                         "  factor  number  1     Factor on its value.\n"
-                         "  shift   number  0     Added after the factor.\n"
-                         "  second  wave    none  The one that comes last.\n\nExample\n"
-                         "  diffuse: { map: Gradient, waveForm: { wave: Chain, first: Sin01, "
-                         "factor: 2, second: Abs } }\n");
+        text_put(q->out,
+                 "Chain (wave)\n" CHAIN_DOC "\n\nFields: name, type, default\n"
+                 "  first   wave    none  The waveform that is applied first; none is v itself.\n"
+                 "  factor  number  1     Factor of the first waveform's value.\n"
+                 "  shift   number  0     Added after the factor.\n"
+                 "  second  wave    none  The waveform that is applied last.\n\nExample\n"
+                 "  diffuse: { map: Gradient, waveForm: { wave: Chain, first: Sin01, "
+                 "factor: 2, second: Abs } }\n");
 }
 
 static void explain_functions(const Query *q)
@@ -184,7 +185,7 @@ static void explain_colors(const Query *q)
     for (int i = 0; i < color_count; i++) {
         const unsigned char *rgb = color_table[i].rgb;
         if (begins(q, color_table[i].name))
-            text_format(q->out, "%s (colour)\n#%02x%02x%02x\n", color_table[i].name, rgb[0], rgb[1],
+            text_format(q->out, "%s (color)\n#%02x%02x%02x\n", color_table[i].name, rgb[0], rgb[1],
                         rgb[2]);
     }
 }
@@ -193,17 +194,17 @@ static void explain_colors(const Query *q)
 static void explain_color_spaces(const Query *q)
 {
     if (begins(q, "srgb"))
-        text_put(
-            q->out,
-            "srgb (of a colour, or of colors:)\n"
-            "Encoded by IEC 61966-2-1, as colour pickers and most pictures have it.\n\nMeaning\n"
-            "  c / 12.92 if c <= 0.04045, else ((c + 0.055) / 1.055)^2.4; alpha as it "
-            "is\n\nExample\n"
-            "  diffuse: \"srgb(#808080)\"\n");
+        text_put(q->out,
+                 "srgb (of a color, or of colors:)\n"
+                 "Encoded by IEC 61966-2-1, as in color pickers and most images.\n\nMeaning\n"
+                 "  c / 12.92 if c <= 0.04045, else ((c + 0.055) / 1.055)^2.4; alpha is "
+                 "unchanged\n\nExample\n"
+                 "  diffuse: \"srgb(#808080)\"\n");
     if (begins(q, "linear"))
-        text_put(q->out, "linear (of a colour, or of colors:)\n"
-                         "Linear light: a byte over 255 is the value.\n\nExample\n  diffuse: "
-                         "\"linear(#808080)\"\n");
+        text_put(q->out,
+                 "linear (of a color, or of colors:)\n"
+                 "Linear light: the value is the byte divided by 255.\n\nExample\n  diffuse: "
+                 "\"linear(#808080)\"\n");
 }
 
 static void explain_keys(const Query *q)
@@ -296,13 +297,12 @@ static void explain_warnings(const Query *q)
 {
     if (!begins(q, "warnings"))
         return;
-    text_put(q->out, "warnings (diagnostics that end nothing)\n"
-                     "-Wno-NAME: it is not said. -Werror=NAME: it is an error. -Werror: all are. "
-                     "The last option that speaks of a\n"
-                     "warning counts; -WNAME and -Wno-error=NAME take back what one before them "
-                     "said. All are said by default, but\n"
-                     "linear_colors: a note, never an error, which matc gives for single "
-                     "documents, and otherwise where it is named.\n\n");
+    text_put(q->out,
+             "warnings (diagnostics that do not stop compilation)\n-Wno-NAME disables a warning, "
+             "-Werror=NAME makes it an error, -Werror makes all warnings errors. The last "
+             "option\nfor a warning wins; -WNAME and -Wno-error=NAME undo earlier options. All "
+             "warnings are enabled by default, except\nlinear_colors: a note, never an error, that "
+             "is enabled for single documents, and otherwise by -Wlinear_colors.\n\n");
     for (int i = 0; i < DIAG_COUNT; i++)
         if (diag_is_named((DiagKind)i))
             text_format(q->out, "  %-20s  %s\n", diag_table[i].name, diag_table[i].doc);

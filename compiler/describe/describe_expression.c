@@ -29,17 +29,17 @@ static const char *width_word(char letter)
     case '1':
         return "a number";
     case '2':
-        return "two lanes";
+        return "two components";
     case '3':
-        return "three lanes";
+        return "three components";
     case '4':
-        return "four lanes";
+        return "four components";
     case 'b':
         return "a condition";
     case 'i':
-        return "a whole number that stands there itself";
+        return "a literal integer";
     default:
-        return "numbers or vectors of one width";
+        return "numbers or vectors of equal width";
     }
 }
 

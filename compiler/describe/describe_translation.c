@@ -12,12 +12,12 @@ void describe_translations(Text *out, Kind kind, const char *indent)
         if (row->formula)
             text_format(out, "%s\n", row->formula);
         else
-            text_format(out, "a NormalMap of %s, scaled by %s, where there is one\n",
+            text_format(out, "a NormalMap of %s, scaled by %s, if given\n",
                         param_table[row->map].name, param_table[row->scale].name);
     }
     for (int i = 0; i < loss_count; i++)
         if (param_table[loss_table[i].param].kind == kind)
-            text_format(out, "%s%s is not wholly kept where this is not 0: %s; %s\n", indent,
+            text_format(out, "%s%s is only approximated if it is not 0: %s; %s\n", indent,
                         param_table[loss_table[i].param].name, loss_table[i].formula,
                         loss_table[i].what);
 }

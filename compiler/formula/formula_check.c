@@ -27,16 +27,17 @@ static const FormulaStep *argument(const Check *c, const FormulaStep *step, uint
 
 static const char *width_text(int width)
 {
-    static const char *const words[] = {"a condition", "a number", "two lanes", "three lanes",
-                                        "four lanes"};
+    static const char *const words[] = {"a condition", "a number", "two components",
+                                        "three components", "four components"};
     return width < 0 ? "something" : words[width];
 }
 
 /* Describes a value with that many components. */
 static const char *holder_text(int width)
 {
-    static const char *const words[] = {"a condition", "a number", "a value of two lanes",
-                                        "a value of three lanes", "a value of four lanes"};
+    static const char *const words[] = {"a condition", "a number", "a value of two components",
+                                        "a value of three components",
+                                        "a value of four components"};
     return width < 0 ? "something" : words[width];
 }
 
@@ -155,7 +156,7 @@ static bool check_whole(Check *c, const FormulaStep *step, const TermRow *row,
 static const char *width_mend(int wanted, int width)
 {
     if (wanted == 3 && width == 2)
-        return "; `[a, 0]` has three, of an a of two";
+        return "; `[a, 0]` extends two components to three";
     if (wanted == 2 && width > 2)
         return "; `a.xy` has two";
     return wanted == 3 && width == 4  ? "; `a.xyz` has three"

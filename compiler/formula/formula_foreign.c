@@ -13,7 +13,7 @@ const char *formula_foreign(Session *session, const char *name)
         text_format(&text, "; here it is %s", here);
     for (int i = 0; !here && !diag_full(session) && i < color_count; i++)
         if (!strcmp(color_table[i].name, name))
-            text_format(&text, "; in a formula the colour is #%02x%02x%02x", color_table[i].rgb[0],
-                        color_table[i].rgb[1], color_table[i].rgb[2]);
+            text_format(&text, "; in a formula the color is written #%02x%02x%02x",
+                        color_table[i].rgb[0], color_table[i].rgb[1], color_table[i].rgb[2]);
     return text.size ? text.at : NULL;
 }

@@ -115,20 +115,21 @@ void formula_report_other(FormulaReader *r)
         {"·", "; * is the product"},
         {"÷", "; / is the quotient"},
         {"−", "; - is the minus sign"},
-        {"π", "; it is written pi"},
-        {"$", "; names have no mark"},
-        {"**", "; a power is a ^ b"},
-        {"#", "; formulas have no comments, YAML has them outside of texts"},
+        {"π", "; write pi"},
+        {"$", "; names have no prefix"},
+        {"**", "; write a power as a ^ b"},
+        {"#", "; formulas have no comments; YAML has them outside strings"},
         {"\"", "; this quote is not closed"},
         {"'", "; this quote is not closed"},
-        {"//", "; a quotient is a / b, a whole one floor(a / b), and formulas have no comments"}};
+        {"//", "; write a quotient as a / b, an integer quotient as floor(a / b); formulas have no "
+               "comments"}};
     const char *hint = "";
     for (size_t i = 0; i < sizeof meant / sizeof *meant; i++)
         if (strlen(meant[i][0]) == formula_token_size(r->token) &&
             !memcmp(meant[i][0], r->s->text + r->token.start, formula_token_size(r->token)))
             hint = meant[i][1];
     if (r->token.kind == TOKEN_text)
-        hint = "; attribute() alone takes texts";
+        hint = "; only attribute() accepts strings";
     if (formula_is_large(r))
         hint = "; a float holds at most 3.4e38";
     r->faults++;
@@ -168,13 +169,13 @@ static const char *without_suffix(const FormulaReader *r, const FormulaStep *num
                        names_find(&r->locals, letters) >= 0;
     Text text = text_new(r->session->arena);
     if (!strncmp(letters, "deg", 3))
-        text_format(&text, "angles are in radians, %.*s * pi / 180", digits, written);
+        text_format(&text, "angles are in radians, write %.*s * pi / 180", digits, written);
     else if (number->number == 0 && *letters == 'x' && letters[1])
         text_put(&text, "numbers are decimal");
     else if (known && !is_suffix_of_c(letters))
-        text_format(&text, "a product is written %.*s * %s", digits, written, letters);
+        text_format(&text, "write a product as %.*s * %s", digits, written, letters);
     else
-        text_format(&text, "numbers have none, %.*s", digits, written);
+        text_format(&text, "numbers have no suffix, write %.*s", digits, written);
     return text.at;
 }
 

@@ -186,7 +186,7 @@ static int put_layout(FILE *out, const char *line, const File *files, int count)
         if (layout_text_is(path) && strlen(path) == size && !strncmp(path, name, size))
             return layout_text_glsl(out, files[i].name, files[i].text);
     }
-    fprintf(stderr, "embed: there is no layout for %.*s\n", (int)strcspn(line, "\n"), line);
+    fprintf(stderr, "embed: no layout for %.*s\n", (int)strcspn(line, "\n"), line);
     return 0;
 }
 

@@ -141,11 +141,11 @@ bool common_error_map(Resolver *r, const Tree *tree)
         return true;
     const char *map = map_name(tree->text);
     if (is_def(r, tree->text))
-        diag_add(r->session, tree->span, DIAG_bare_name, tree->text,
-                 "of `defs:`; it is referred to by", "ref", tree->text);
+        diag_add(r->session, tree->span, DIAG_bare_name, tree->text, "a definition; use it with",
+                 "ref", tree->text);
     else if (map)
-        diag_add(r->session, tree->span, DIAG_bare_name, tree->text,
-                 "a map, and no colour; a map is written", "map", map);
+        diag_add(r->session, tree->span, DIAG_bare_name, tree->text, "a map, not a color; write",
+                 "map", map);
     else
         return hint_map_name(r, tree);
     return true;

@@ -75,8 +75,7 @@ bool common_error_formula(Resolver *r, const Tree *tree)
         return true;
     if (ends_as_picture(tree)) {
         diag_add(r->session, tree->span, DIAG_bare_name, tree->text,
-                 "a picture, and no colour; a picture is written", "map: ImageMap, image",
-                 tree->text);
+                 "an image file, not a color; write", "map: ImageMap, image", tree->text);
         return true;
     }
     if (!looks_like_formula(tree->text, tree->count))
@@ -103,6 +102,6 @@ bool common_error_param(Resolver *r, const Tree *tree)
     Text name = text_new(r->session->arena);
     text_format(&name, "%s%s", tree->text, own ? "" : ", default: ...");
     diag_add(r->session, tree->span, DIAG_bare_name, tree->text,
-             own ? "a parameter; it is read by" : "a param; it is read by", "param", name.at);
+             own ? "a parameter; use it with" : "a param; use it with", "param", name.at);
     return true;
 }

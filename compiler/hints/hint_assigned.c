@@ -91,12 +91,12 @@ const char *hint_no_material(Session *session, const Tree *document)
     Text hint = text_new(session->arena);
     text_put(&hint, "");
     if (tree_find(document, "map"))
-        text_put(&hint, "; a map stands in a material: `material: Phong`, and `diffuse: { map: ... "
-                        "}` beside it");
+        text_put(&hint,
+                 "; a map belongs in a material: `material: Phong` and `diffuse: { map: ... }`");
     for (uint32_t i = 0; i < document->count && !hint.size; i++) {
         const char *name = material_called(document->members[i].key);
         if (name)
-            text_format(&hint, "; it is written `material: %s`, with its parameters beside it",
+            text_format(&hint, "; write `material: %s`, with its parameters at the same level",
                         name);
     }
     return hint.at;

@@ -29,6 +29,6 @@ const char *hint_definition(Resolver *r, const char *name)
     if (!defined && !shipped)
         return NULL;
     Text text = text_new(r->session->arena);
-    text_format(&text, "; it is a definition, `{ ref: %s }`%s", name, defined ? "" : shipped);
+    text_format(&text, "; it is a definition, write `{ ref: %s }`%s", name, defined ? "" : shipped);
     return text.at;
 }

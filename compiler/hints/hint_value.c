@@ -189,7 +189,7 @@ bool hint_map_name(Resolver *r, const Tree *tree)
             kind = (Kind)i;
     if (kind == KIND_COUNT)
         return false;
-    diag_add(r->session, tree->span, DIAG_bare_name, tree->text,
-             "a map, and no colour; here it is written", "map", kind_table[kind].name);
+    diag_add(r->session, tree->span, DIAG_bare_name, tree->text, "a map, not a color; write", "map",
+             kind_table[kind].name);
     return true;
 }

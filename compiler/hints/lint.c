@@ -374,7 +374,7 @@ static void lint_use(const LintFindings *d, const Node *node)
     const char *name = kind_table[node->kind].name;
     if (asked & ASKED_shown && (!through || !(moved || asked & ASKED_other)))
         diag_add(d->session, node->span, DIAG_no_color, name,
-                 through ? "its input's comes through as it is" : "it is black, with alpha 0");
+                 through ? "it returns the color of its input" : "it is black, with alpha 0");
     else if (moves && !moved && asked & (ASKED_uv | ASKED_xyz))
         diag_add(d->session, node->span, DIAG_unread_transform,
                  kind_table[d->reader[node->index]->kind].name,

@@ -15,18 +15,18 @@ static const char *refusal(const char *at, size_t size)
         const char *begin;
         size_t size;
         const char *why;
-    } others[] = {{"GIF8", 4, "it is a GIF: save it as PNG"},
-                  {"RIFF", 4, "it is a WebP: save it as PNG"},
-                  {"II*", 3, "it is a TIFF: save it as PNG, or as OpenEXR"},
-                  {"MM\0", 3, "it is a TIFF: save it as PNG, or as OpenEXR"},
-                  {"#?", 2, "it is a Radiance picture: save it as OpenEXR"},
-                  {"DDS ", 4, "it is a DDS: save it as PNG"},
-                  {"8BPS", 4, "it is a Photoshop file: save it as PNG"},
-                  {"\xABKTX", 4, "it is a KTX: save it as PNG"}};
+    } others[] = {{"GIF8", 4, "GIF is not supported; save it as PNG"},
+                  {"RIFF", 4, "WebP is not supported; save it as PNG"},
+                  {"II*", 3, "TIFF is not supported; save it as PNG or OpenEXR"},
+                  {"MM\0", 3, "TIFF is not supported; save it as PNG or OpenEXR"},
+                  {"#?", 2, "Radiance HDR is not supported; save it as OpenEXR"},
+                  {"DDS ", 4, "DDS is not supported; save it as PNG"},
+                  {"8BPS", 4, "PSD is not supported; save it as PNG"},
+                  {"\xABKTX", 4, "KTX is not supported; save it as PNG"}};
     for (size_t i = 0; i < sizeof others / sizeof *others; i++)
         if (size >= others[i].size && !memcmp(at, others[i].begin, others[i].size))
             return others[i].why;
-    return "it is neither PNG nor JPEG nor OpenEXR nor BMP";
+    return "the format is not PNG, JPEG, OpenEXR or BMP";
 }
 
 static const char *decode(ImageFile *file)

@@ -87,7 +87,7 @@ static const char *read_masks(Bmp *bmp, Image *image)
         bmp->masks[i] =
             i < 3 || alpha ? read_four(bmp, FILE_HEADER + INFO_HEADER + 4 * (size_t)i) : 0;
         if (!is_mask(bmp->masks[i]))
-            return "the bits of a colour do not stand together";
+            return "the bits of a color channel are not contiguous";
     }
     image->opaque = !bmp->masks[3];
     return NULL;
@@ -111,7 +111,7 @@ static const char *read_header(Bmp *bmp, Image *image)
     bmp->rows = read_four(bmp, 10);
     bmp->header = read_four(bmp, FILE_HEADER);
     if (bmp->header != CORE_HEADER && (bmp->header < INFO_HEADER || bmp->header > LARGEST_HEADER))
-        return "it is a BMP of an unknown kind: save it as PNG";
+        return "unknown kind of BMP; save it as PNG";
     if (bmp->size - FILE_HEADER < bmp->header)
         return image_file_cut;
     const char *why = read_sizes(bmp, image);
@@ -121,9 +121,9 @@ static const char *read_header(Bmp *bmp, Image *image)
         return why;
     if (bmp->compression != BI_RGB &&
         !(masked && (bmp->compression == BI_BITFIELDS || bmp->compression == BI_ALPHABITFIELDS)))
-        return "it is a compressed BMP: save it without compression, or as PNG";
+        return "compressed BMP is not supported; save it without compression, or as PNG";
     if (!masked && !palette && bmp->bits != 24)
-        return "it is a BMP of an unknown kind: save it as PNG";
+        return "unknown kind of BMP; save it as PNG";
     why = masked ? read_masks(bmp, image) : palette ? read_palette(bmp) : NULL;
     if (!why &&
         (bmp->rows > bmp->size || bmp->size - bmp->rows < bmp->stride * (size_t)image->height))
@@ -182,7 +182,7 @@ const char *image_bmp(ImageFile *file)
         for (int x = 0; x < image->width; x++, texel += COMPONENTS)
             if (!read_pixel(&bmp, bmp.bytes + bmp.rows + bmp.stride * (size_t)row, (size_t)x,
                             texel))
-                return "a texel has a colour that its palette lacks";
+                return "a pixel's palette index is out of range";
     }
     return NULL;
 }

@@ -24,13 +24,13 @@ enum {
     MAX_RUN = 64,        /* max ratio of run-length encoding: 128 bytes from 2 */
 };
 
-static const char
-    too_strange[] = "its channels are none of R, G, B, A and Y",
-    subsampled[] = "its channels are subsampled",
-    whole[] = "its channels are of whole numbers; save halves or floats",
-    deep[] = "it is deep; save it flat",
-    lossy[] = "its compression is none of none, RLE, ZIPS, ZIP and PIZ; save it with one of these",
-    not_finite[] = "a texel is infinite or no number", no_part[] = "it has no picture";
+static const char too_strange[] = "it has none of the channels R, G, B, A and Y",
+                  subsampled[] = "its channels are subsampled",
+                  whole[] = "its channels are integers; save halves or floats",
+                  deep[] = "deep images are not supported; save it flat",
+                  lossy[] = "its compression is not supported; use none, RLE, ZIPS, ZIP or PIZ",
+                  not_finite[] = "a pixel is infinite or NaN",
+                  no_part[] = "the file contains no image";
 
 typedef struct {
     ImageFile *file;

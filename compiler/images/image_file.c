@@ -1,13 +1,14 @@
 /* Functions shared by the readers of all image formats. */
 #include "compiler/images/image_file.h"
 
-const char image_file_cut[] = "it ends too soon", image_file_too_large[] = "it is too large",
-           image_file_too_many[] = "the pictures of a document are too large together";
+const char image_file_cut[] = "the file is truncated",
+           image_file_too_large[] = "the image is too large",
+           image_file_too_many[] = "the images of the document are too large in total";
 
 const char *image_file_check_side(double width, double height)
 {
     if (width < 1 || height < 1)
-        return "it has no texels";
+        return "the image has no pixels";
     return width > LIMIT_IMAGE_SIDE || height > LIMIT_IMAGE_SIDE ? image_file_too_large : NULL;
 }
 

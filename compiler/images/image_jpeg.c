@@ -103,12 +103,12 @@ static void check_kind(JpegReader *d)
 {
     const struct jpeg_decompress_struct *jpeg = &d->jpeg;
     if (jpeg->jpeg_color_space == JCS_CMYK || jpeg->jpeg_color_space == JCS_YCCK)
-        fail(d, "its colours are CMYK; save it as RGB");
+        fail(d, "CMYK is not supported; save it as RGB");
     if (jpeg->jpeg_color_space != JCS_GRAYSCALE && jpeg->jpeg_color_space != JCS_YCbCr &&
         jpeg->jpeg_color_space != JCS_RGB)
-        fail(d, "it is neither grey nor RGB");
+        fail(d, "it is neither grayscale nor RGB");
     if (jpeg->arith_code)
-        fail(d, "it is coded arithmetically; save it with Huffman's codes");
+        fail(d, "arithmetic coding is not supported; save it with Huffman coding");
 }
 
 static void read_header(JpegReader *d)

@@ -67,8 +67,9 @@ static const char *check_widest(const Ir *ir, Ref ref)
     for (int i = 0; i < ir_at(ir, ref)->count; i++)
         if (ir_components(ir, ir_arg(ir, ref, i)) != 1 &&
             ir_components(ir, ir_arg(ir, ref, i)) != widest)
-            return "operands of arithmetic have different lanes";
-    return ir_components(ir, ref) == widest ? NULL : "a result has not the lanes of its operands";
+            return "operands of arithmetic have different widths";
+    return ir_components(ir, ref) == widest ? NULL
+                                            : "the width of a result differs from its operands";
 }
 
 static const char *check_boolean(const Ir *ir, Ref ref)
@@ -116,7 +117,7 @@ static const char *check_linear(const Ir *ir, Ref ref)
 {
     for (int i = 0; i < ir_at(ir, ref)->count; i++)
         if (ir_type(ir, ir_arg(ir, ref, i)) != ir_type(ir, ref))
-            return "a matrix and its vector differ in lanes";
+            return "a matrix and its vector have different widths";
     return ir_at(ir, ref)->count == ir_components(ir, ref) + 1
                ? NULL
                : "a matrix has the wrong number of columns";
@@ -126,7 +127,7 @@ static const char *check_swizzle(const Ir *ir, Ref ref)
 {
     for (int i = 0; i < ir_components(ir, ref); i++)
         if ((int)(ir_at(ir, ref)->payload >> 2 * i & 3) >= ir_components(ir, ir_arg(ir, ref, 0)))
-            return "a swizzle takes a lane that is not there";
+            return "a swizzle uses a component that does not exist";
     return NULL;
 }
 

@@ -31,17 +31,18 @@ static void put_fate(Text *out, const Plan *plan, const MatcSlotRange *range, in
     switch (plan->fate) {
     case FATE_fixed:
         text_format(out,
-                    range->counted == 1 ? "constant in the one material to which it matters"
-                                        : "constant in all %d materials to which it matters",
+                    range->counted == 1 ? "constant in the only material that uses it"
+                                        : "constant in all %d materials that use it",
                     range->counted);
         break;
     case FATE_absent:
-        text_format(
-            out, materials == 1 ? "dropped: as absent" : "dropped: as absent in all %d materials",
-            materials);
+        text_format(out,
+                    materials == 1 ? "dropped: has no effect"
+                                   : "dropped: has no effect in all %d materials",
+                    materials);
         break;
     case FATE_taken:
-        text_put(out, "dropped: the transparency has taken it in");
+        text_put(out, "dropped: merged into the transparency");
         break;
     default:
         for (int slot = 0; slot < SLOT_COUNT && matters; slot++)
@@ -65,7 +66,7 @@ static void put_field(Text *out, const Plan *plan)
     }
     text_format(out, "%-28s %4d  ", encoding.at, auto_field_bits(field));
     put_error(out, plan);
-    text_put(out, field->gray ? ", one for all lanes" : "");
+    text_put(out, field->gray ? ", one for all components" : "");
 }
 
 /* Lists the cases: "case 0    3 materials    normal, diffuse". */

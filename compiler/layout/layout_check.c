@@ -30,7 +30,7 @@ static void check_groups(Checker *k, const FieldRow *field, Span span)
     Text takes = text_new(k->session->arena);
     if (!field->count || !encoding->takes || field->count % encoding->takes == 0)
         return;
-    text_format(&takes, "%d lanes", encoding->takes);
+    text_format(&takes, "%d components", encoding->takes);
     diag_add(k->session, span, DIAG_field_components, encoding->name, takes.at, field->count);
     k->fine = false;
 }
@@ -110,9 +110,9 @@ static const char *left_text(Checker *k, const Placement *placement, bool words)
         }
     }
     return text.size ? text.at
-           : any     ? "nothing is left"
-           : words   ? "no target holds words"
-                     : "no target holds floats";
+           : any     ? "no space is left"
+           : words   ? "no target has an integer format"
+                     : "no target has a float format";
 }
 
 static void check_capacity(Checker *k, int number, Tree *const *trees)
@@ -124,7 +124,8 @@ static void check_capacity(Checker *k, int number, Tree *const *trees)
     const bool words = encoding_table[fault->encoding].words;
     Text encoding = text_new(k->session->arena), size = text_new(k->session->arena);
     layout_put_encoding(&encoding, fault);
-    text_format(&size, words ? "%d bits of one word" : "%d lanes of one target", field_size(fault));
+    text_format(&size, words ? "%d bits of one word" : "%d components of one target",
+                field_size(fault));
     k->fine = diag_add(k->session, trees[fault - k->row->cases[number].fields]->span,
                        DIAG_field_full, encoding.at, slot_table[fault->source[0].slot].name,
                        size.at, left_text(k, &placement, words));

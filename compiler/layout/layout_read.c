@@ -90,7 +90,7 @@ static const char *text_of(Reader *r, const Tree *object, const char *what, cons
         return "";
     if (tree->kind == TREE_scalar)
         return tree->text;
-    wrong_type(r, tree, key, "a text");
+    wrong_type(r, tree, key, "a string");
     return "";
 }
 
@@ -178,7 +178,7 @@ static void read_bits(Reader *r, const Tree *object, FieldRow *field)
     const Tree *tree = member(r, object, encoding->name, "bits", encoding->least != encoding->most);
     double bits = encoding->least;
     if (tree && (!tree_number(tree, &bits) || bits != floor(bits))) {
-        wrong_type(r, tree, "bits", "a whole number");
+        wrong_type(r, tree, "bits", "an integer");
     } else if (bits < encoding->least || bits > encoding->most) {
         Text least = text_new(r->session->arena), most = text_new(r->session->arena);
         text_int(&least, encoding->least);
@@ -271,9 +271,9 @@ static void read_further(Reader *r, const Tree *object)
     if (tree && !yes && (tree->kind != TREE_scalar || strcmp(tree->text, "false") != 0))
         wrong_type(r, tree, "further", "true or false");
     else if (tree && yes && (!targets || !format_table[r->row->formats[targets - 1]].words))
-        wrong_type(r, tree, "further", "false: the last target holds no words");
+        wrong_type(r, tree, "further", "false: the last target has no integer format");
     else if (!yes && r->row->further_count)
-        wrong_type(r, object, "a case behind further ones", "to be a further one");
+        wrong_type(r, object, "a case after later cases", "to be a further one");
     r->row->further_count += yes;
 }
 

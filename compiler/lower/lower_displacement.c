@@ -88,8 +88,8 @@ Ref lower_displacement(Lower *l, const Node *displaced, const Env *env)
     Ref value = build_mul(l->ir, solid ? volume(l, &d, env) : moved_by(l, &d, env),
                           lower_param(l, d.scale, TYPE_float));
     lower_reject_uniform(l, d.bound, "displacementBound",
-                         "volumes around objects are made before it is set");
-    lower_reject_uniform(l, d.threshold, "displacementThreshold", "it says which shape there is");
+                         "bounding volumes are built before it is set");
+    lower_reject_uniform(l, d.threshold, "displacementThreshold", "it selects the shape");
     if (d.bound->kind == VALUE_number) {
         value_number(d.bound, TYPE_float, bound);
         value = within(l, value, bound[0]);

@@ -168,7 +168,7 @@ static Ref missing_slot(Lower *l, Slot slot, const Env *env)
 static Ref sky_radiance(Lower *l, const Node *m, const Env *env)
 {
     Ir *ir = l->ir;
-    const char *why = "the sky's coefficients are computed when the shader is written";
+    const char *why = "the sky's coefficients are computed at compile time";
     lower_reject_uniform(l, node_param(m, P_SunSkyLight_sun), "sun", why);
     lower_reject_uniform(l, node_param(m, P_SunSkyLight_turbidity), "turbidity", why);
     double sun[4], turbidity[4], row[7][3];

@@ -421,7 +421,7 @@ MapValue lower_Carpenter(Lower *l, const Node *node, Group group, const Env *env
     const KindRow *row = &kind_table[KIND_Carpenter];
     for (int i = 1; i < row->count; i++)
         lower_reject_uniform(l, &node->params[i], param_table[row->first + i].name,
-                             "the relief is made when the shader is");
+                             "the height map is computed at compile time");
     double width[4], height[4];
     value_number(node_param(node, P_Carpenter_width), TYPE_float, width);
     value_number(node_param(node, P_Carpenter_height), TYPE_float, height);

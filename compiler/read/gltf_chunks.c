@@ -22,10 +22,10 @@ const char *gltf_chunks_of(Arena *arena, const char *bytes, size_t size, GltfChu
 {
     *chunks = (GltfChunks){0};
     if (size < HEADER || memcmp(bytes, "glTF", 4) != 0)
-        return "it does not begin as one";
+        return "it does not start with the glTF magic number";
     Text why = text_new(arena);
     if (word_at(bytes + 4) != GLB_VERSION)
-        return text_format(&why, "it is of version %u; version 2 is read",
+        return text_format(&why, "it has version %u; only version 2 is supported",
                            (unsigned)word_at(bytes + 4)),
                why.at;
     if (word_at(bytes + 8) != size)

@@ -85,7 +85,7 @@ static bool decode_data(Session *session, const Tree *uri, GltfBytes *bytes, con
     for (size_t i = 0; from + i < end; i++) {
         const int digit = digit_of(from[i]);
         if (digit < 0)
-            return *why = "its data: address is no base64", false;
+            return *why = "its data: address is not base64", false;
         bits = bits << 6 | (uint32_t)digit;
         if (i % 4)
             to[bytes->size++] = (char)(bits >> (6 - 2 * (i % 4)));
@@ -133,7 +133,7 @@ static bool read_buffer(const GltfPlace *place, const GltfFile *file, size_t num
     const char **why = &buffer->why;
     const Tree *uri = gltf_file_value(gltf_file_item(file->root, "buffers", number), "uri");
     if (uri && uri->kind != TREE_scalar)
-        return *why = "its buffer's uri is no text", false;
+        return *why = "its buffer's uri is not a string", false;
     if (uri)
         return is_data(uri) ? decode_data(place->session, uri, bytes, why)
                             : read_beside(place, uri->text, bytes, why);
@@ -167,14 +167,14 @@ static bool read_view(const GltfPlace *place, GltfFile *file, const Tree *index,
     const Tree *view = gltf_file_item(file->root, "bufferViews", gltf_file_whole(index, SIZE_MAX));
     const size_t number = gltf_file_whole(gltf_file_value(view, "buffer"), SIZE_MAX);
     if (!view)
-        return *why = "its bufferView is not there", false;
+        return *why = "its bufferView does not exist", false;
     const Buffer *buffer = buffer_of(place, file, number, why);
     if (!buffer)
         return false;
     const size_t offset = gltf_file_whole(gltf_file_value(view, "byteOffset"), 0),
                  length = gltf_file_whole(gltf_file_value(view, "byteLength"), SIZE_MAX);
     if (offset > buffer->bytes.size || length > buffer->bytes.size - offset)
-        return *why = "its bufferView ends behind the end of its buffer", false;
+        return *why = "its bufferView exceeds its buffer", false;
     *bytes = (GltfBytes){buffer->bytes.at + offset, length};
     return true;
 }
@@ -245,11 +245,11 @@ bool gltf_file_picture(Session *session, GltfFiles *files, const char *path, Glt
                             : NULL;
     const Tree *uri = gltf_file_value(image, "uri"), *view = gltf_file_value(image, "bufferView");
     if (!image)
-        return *why = "the file's list images has no such item", false;
+        return *why = "the list images of the file has no such item", false;
     if (view)
         return read_view(&place, file, view, picture, why);
     if (!uri || uri->kind != TREE_scalar)
-        return *why = "the file says neither its uri nor its bufferView", false;
+        return *why = "the file has neither its uri nor its bufferView", false;
     return is_data(uri) ? decode_data(session, uri, picture, why)
                         : read_beside(&place, uri->text, picture, why);
 }

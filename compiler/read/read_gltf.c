@@ -113,7 +113,7 @@ static void put_sampler(Gltf *g, Keys *made, const Tree *texture)
     const int wrap = whole_of(s, REPEAT);
     if (wrap != whole_of(t, REPEAT))
         diag_add(g->session, (s ? s : t)->span, DIAG_gltf_unread,
-                 "a picture that goes on otherwise along u than along v");
+                 "an image with different wrap modes along u and v");
     if (wrap == CLAMP || wrap == MIRROR)
         put(g, made, "address", word(g, wrap == CLAMP ? "clamp" : "mirror", s->span));
     if (whole_of(filter, LINEAR_FILTER) == NEAREST)
@@ -135,7 +135,8 @@ static void put_transform(Gltf *g, Keys *made, const Tree *info, Tree *coordinat
             tree_number(lists[i / 2]->items[i % 2], &to[i / 2][i % 2]);
     const Tree *rotation = value_of(transform, "rotation");
     if (rotation && tree_number(rotation, &turn) && turn != 0)
-        diag_add(g->session, rotation->span, DIAG_gltf_unread, "a picture that is turned");
+        diag_add(g->session, rotation->span, DIAG_gltf_unread,
+                 "an image with a rotated texture transform");
     const bool moved = to[0][0] != 0 || to[0][1] != 0 || to[1][0] != 1 || to[1][1] != 1;
     if (!moved || to[1][0] == 0 || to[1][1] == 0) {
         if (coordinates)
@@ -190,7 +191,7 @@ static Tree *picture(Gltf *g, const Tree *info, bool srgb, bool normals)
     const Tree *image = source ? item_of(g, "images", source) : NULL;
     if (!image) {
         if (!index || (texture && !source))
-            diag_add(g->session, info->span, DIAG_gltf_unread, "a texture without a picture");
+            diag_add(g->session, info->span, DIAG_gltf_unread, "a texture without an image");
         return NULL;
     }
     Keys made = {0};

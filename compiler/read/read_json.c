@@ -40,7 +40,7 @@ static void *wants(const Json *j, const char *at, const char *wanted)
     Text found = text_new(j->b->session->arena);
     const char *end = token_end(j, at);
     if (at == j->end)
-        text_put(&found, "the end of the text");
+        text_put(&found, "the end of the file");
     else if ((unsigned char)*at < 0x20 || *at == 0x7F)
         text_format(&found, "the control character U+%04X", *at);
     else
@@ -80,7 +80,7 @@ static bool skip_number(Json *j)
 {
     j->at += *j->at == '-';
     if (*j->at == '0' && is_digit(j, j->at + 1))
-        return has_no(j, j->at, j->at + 1, "zeros in front of a number");
+        return has_no(j, j->at, j->at + 1, "leading zeros in numbers");
     if (!skip_digits(j))
         return false;
     if (*j->at == '.') {
@@ -132,7 +132,7 @@ static int32_t read_escape(const Json *j, const char *at, int *size)
 static void *bad_escape(const Json *j, const char *at)
 {
     if (at + 1 < j->end && at[1] == 'u' && hex_code(j, at + 2) >= 0)
-        return has_no(j, at, at + 6, "half of a surrogate pair");
+        return has_no(j, at, at + 6, "unpaired surrogates");
     const char *end = at + 1 < j->end ? token_end(j, at + 1) : at + 1;
     Text what = text_new(j->b->session->arena);
     text_format(&what, "escape '%.*s'", end - at < 8 ? (int)(end - at) : 8, at);
@@ -244,7 +244,7 @@ static Tree *read_word(Json *j)
     if (from < j->end && (*from == '/' || *from == '#'))
         return has_no(j, from, from + 1, "comments");
     if (from < j->end && *from == '\'')
-        return has_no(j, from, from + 1, "texts in single quotes");
+        return has_no(j, from, from + 1, "strings in single quotes");
     return wants(j, from, "a value");
 }
 
@@ -308,7 +308,7 @@ static bool read_member(Json *j, int depth)
     Member member;
     const char *from = j->at;
     if (from < j->end && *from == '\'')
-        return has_no(j, from, from + 1, "texts in single quotes");
+        return has_no(j, from, from + 1, "strings in single quotes");
     if (from == j->end || *from != '"')
         return wants(j, from, "a key in double quotes");
     if (!(member.key = read_text(j, &member.size)))
@@ -375,5 +375,5 @@ Tree *read_json(TreeBuilder *b)
     if (j.at == j.end)
         return tree;
     return *j.at == '/' || *j.at == '#' ? has_no(&j, j.at, j.at + 1, "comments")
-                                        : wants(&j, j.at, "the end of the text");
+                                        : wants(&j, j.at, "the end of the file");
 }

@@ -124,7 +124,7 @@ static void report_missing(Session *session, const Tree *name, const Found *foun
     Text hint = text_new(session->arena);
     text_put(&hint, "");
     if (shipped(file))
-        text_format(&hint, "; the file is called '%s'", file);
+        text_format(&hint, "; did you mean the file '%s'?", file);
     else if (defined)
         text_format(&hint, "; '%s' is in '%s'", name->text, defined->file);
     else

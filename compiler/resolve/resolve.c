@@ -43,7 +43,7 @@ static const char *near_kind(Resolver *r, const char *name, bool material)
         near = hint_definition(r, name);
     if (!near)
         near = diag_suggest_or_list(r->session, name, &names, material ? "; there are " : NULL);
-    return *near || diag_full(r->session) ? near : "; matc --list has all";
+    return *near || diag_full(r->session) ? near : "; see matc --list";
 }
 
 /* Finds the kind with a name; *preset is set if the name is a preset. */
@@ -54,7 +54,7 @@ static bool find_kind(Resolver *r, const Tree *name, bool material, Kind *kind, 
         diag_add(r->session, name->span, use ? DIAG_ref_in_kind : DIAG_wrong_type,
                  material ? "`material:`" : "`map:`",
                  material && name->kind == TREE_object && !use
-                     ? "a name, with the parameters beside it, `material: Phong`"
+                     ? "a name, with the parameters at the same level, `material: Phong`"
                      : "a name",
                  tree_describe(r->session, name));
         return false;
@@ -156,7 +156,7 @@ static const char *near_param(Resolver *r, const KindRow *row, const char *key)
     if (*near || diag_full(r->session))
         return near;
     Text all = text_new(r->session->arena);
-    text_format(&all, "; matc --explain %s has all %d", row->name, row->count);
+    text_format(&all, "; matc --explain %s lists all %d", row->name, row->count);
     return all.at;
 }
 

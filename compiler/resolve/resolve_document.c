@@ -220,8 +220,8 @@ static bool lists_material(const Tree *document)
 static void report_nothing_to_compile(Session *session, const Tree *document)
 {
     diag_add(session, document->span, DIAG_definitions_only,
-             resolve_is_scene(document) ? "this is a scene, which matview draws"
-                                        : "there are definitions only, for `include:`");
+             resolve_is_scene(document) ? "this is a scene; draw it with matview"
+                                        : "the document only contains definitions, for `include:`");
 }
 
 /* Returns a top-level `ref:` with its arguments, without the other top-level keys. */

@@ -113,8 +113,8 @@ static int report_unknown(Inputs *in, const char *name, const FormulaStep *step)
     in->parameters = parameters_around(in);
     if (names_find(&r->uniform_names, name) < 0)
         return FORMULA_UNKNOWN;
-    text_format(&hint, "; a formula reads the param by `with: { %s: { param: %s, default: ... } }`",
-                name, name);
+    text_format(&hint, "; to use a param write `with: { %s: { param: %s, default: ... } }`", name,
+                name);
     diag_add(r->session, place(in, step->start, step->end), DIAG_formula_unknown, name, hint.at);
     return FORMULA_REPORTED;
 }
@@ -336,7 +336,7 @@ bool resolve_expression(Resolver *r, const Tree *tree, Value *params)
         return fine;
     if (is->value->kind != TREE_scalar) {
         diag_add(r->session, is->value->span, DIAG_wrong_type, "is",
-                 "a formula, in quotes where it begins with a bracket",
+                 "a formula (in quotes if it starts with a bracket)",
                  tree_describe(r->session, is->value));
         return false;
     }

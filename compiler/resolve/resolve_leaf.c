@@ -95,7 +95,7 @@ static bool resolve_word(Resolver *r, const ParamRow *row, const Tree *tree, Val
 static bool resolve_image(Resolver *r, const ParamRow *row, const Tree *tree, Value *value)
 {
     if (tree->kind != TREE_scalar) {
-        diag_add(r->session, tree->span, DIAG_wrong_type, row->name, "the name of a picture file",
+        diag_add(r->session, tree->span, DIAG_wrong_type, row->name, "the name of an image file",
                  tree_describe(r->session, tree));
         return false;
     }

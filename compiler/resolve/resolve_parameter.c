@@ -184,8 +184,8 @@ static bool in_bounds(Resolver *r, const Parameter *p, const Tree *tree)
 bool resolve_argument(Resolver *r, const Member *definition, const Parameter *p, const Tree *tree)
 {
     static const char *const wanted[PARAMETER_TYPES] = {
-        "a number", "a colour or a map", "a map or a colour", "a material",
-        "a wave",   "a transformation",  "true or false",     "a word"};
+        "a number", "a color or a map", "a map or a color", "a material",
+        "a wave",   "a transformation", "true or false",    "a word"};
     const bool suits = fits(p->type, tree);
     if (suits && (tree->kind != TREE_scalar || in_bounds(r, p, tree)))
         return true;

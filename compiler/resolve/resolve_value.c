@@ -136,7 +136,7 @@ static bool param(Resolver *r, const char *what, Tree *tree, ComponentCount comp
     }
     if (initial->value->kind == TREE_object) {
         diag_add(r->session, initial->value->span, DIAG_wrong_type, "the default of a param",
-                 "a number, a list or a colour", "an object");
+                 "a number, a list or a color", "an object");
         return false;
     }
     if (!resolve_number(r, what, initial->value, components, value) ||
@@ -177,7 +177,7 @@ bool resolve_number(Resolver *r, const char *what, Tree *tree, ComponentCount co
     if (tree->kind == TREE_scalar && components.most >= 3 && !tree_is_null(tree))
         return resolve_color(r, tree, value);
     diag_add(r->session, tree->span, DIAG_wrong_type, what,
-             components.most == 1 ? "a number" : "a number, a list of numbers or a colour",
+             components.most == 1 ? "a number" : "a number, a list of numbers or a color",
              tree_describe(r->session, tree));
     return false;
 }

@@ -155,7 +155,7 @@ static void check_plain(SceneCheck *c, const ParamRow *row, Tree *tree)
     Value value;
     if (resolve_param(&c->resolver, row, tree, &value) && value.kind == VALUE_uniform)
         diag_add(c->session, value.span, DIAG_param_here, row->name,
-                 "it is of a scene, and no uniform of a program");
+                 "values of a scene are not uniforms of a program");
 }
 
 static void check_part(SceneCheck *c, Tree *tree, SceneSort sort);

@@ -74,7 +74,7 @@ static int open_again(void *user, int number)
     batch_stored_key(b, document);
     if (key_equal(before, document->key))
         return document->again_count;
-    batch_complain(b, document, document->path, "it changed while it was compiled");
+    batch_complain(b, document, document->path, "the file changed while it was compiled");
     return 0;
 }
 
@@ -157,7 +157,7 @@ static void check_names(Batch *b)
             string_set_add(&materials, material->name, &added);
             if (!is_utf8(material->name))
                 batch_complain(b, &b->documents[d], material->name,
-                               "the material's name is not UTF-8, which a manifest is");
+                               "the material's name is not UTF-8, which a manifest requires");
             else if (!added)
                 batch_complain(b, &b->documents[d], material->name, "two materials have this name");
             else if (b->request_count > 1 && meets_other(b, material, &files))
@@ -165,7 +165,7 @@ static void check_names(Batch *b)
                                "a program of this material and one of another have the same name");
             else if (b->line->emit[EMIT_reflect] && !strcmp(material->name, "manifest"))
                 batch_complain(b, &b->documents[d], "manifest",
-                               "the manifest has this name; call the material otherwise");
+                               "the manifest has this name; rename the material");
         }
     string_set_free(&materials);
     string_set_free(&files);

@@ -26,7 +26,7 @@ static void note_file(Batch *b, const char *path, Key key)
     bool same = key_equal(b->file_keys[number], key);
     pthread_mutex_unlock(&b->mutex);
     if (!same)
-        batch_complain(b, NULL, path, "it changed while it was compiled");
+        batch_complain(b, NULL, path, "the file changed while it was compiled");
 }
 
 static bool known_file(Batch *b, const char *path, Key *key)

@@ -70,7 +70,7 @@ static MatcProgram *compile(Batch *b, BatchDocument *document, const Unit *unit,
     MatcOptions options = b->options;
     options.pass = b->requests[unit->request];
     if (material >= matc_material_count(parsed)) {
-        batch_complain(b, document, document->path, "it changed while it was compiled");
+        batch_complain(b, document, document->path, "the file changed while it was compiled");
         return NULL;
     }
     if (b->line->max_error && !b->calls->choose(b->calls->user, parsed, material, &options)) {

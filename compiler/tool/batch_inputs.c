@@ -66,5 +66,5 @@ void batch_spare_inputs(Batch *b)
     for (int i = 0; i < b->within.count; i++)
         if (staging_holds(b->staging, b->within.at[i]))
             batch_complain_within(b, NULL, b->line->folder, b->within.at[i],
-                                  "an output would replace this file, which is read");
+                                  "an output would overwrite this input file");
 }

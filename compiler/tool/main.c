@@ -189,7 +189,7 @@ static int answer_of_documents(CommandLine *line)
 static int print_cache(const CommandLine *line)
 {
     if (!line->cache)
-        return main_usage(line, "--cache-stats wants --cache or MATC_CACHE");
+        return main_usage(line, "--cache-stats needs --cache or MATC_CACHE");
     char *text = cache_statistics(line->cache);
     if (!text)
         return main_complain(line, line->cache, text_error(errno));

@@ -37,9 +37,9 @@ static bool main_is_own(const char *name)
 static int answer(CommandLine *line, const char *path, MatcDocument *document)
 {
     if (line->schema)
-        return say(line, path, matc_document_schema(document), "it has faults");
+        return say(line, path, matc_document_schema(document), "the file has errors");
     if (line->list)
-        return say(line, path, matc_definitions(document), "it has no definitions");
+        return say(line, path, matc_definitions(document), "the file has no definitions");
     char *text = matc_explain_definition(document, line->explain);
     if (!text)
         text = matc_explain(line->explain);

@@ -233,7 +233,7 @@ void manifest_remove_stale(Batch *b, const char *old)
             batch_complain_within(b, NULL, b->line->folder, name, why);
         else if (stays)
             batch_warn(b, name,
-                       "it is no longer made, but it is not as matc wrote it, so it stays");
+                       "it is obsolete, but is kept because it was changed after matc wrote it");
     }
     cJSON_Delete(json);
 }

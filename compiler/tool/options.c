@@ -203,38 +203,40 @@ static void put_passes(Text *out)
 #define ROW_HELP(label_, help_) .label = label_, .help = help_
 static const Option options[] = {
     HEADING("usage: matc [options] document...\n\n"
-            "Compiles material trees (YAML, JSON; - is standard input) to GLSL.\n\noutput\n"),
+            "Compiles material graphs (YAML, JSON; - is standard input) to GLSL and "
+            "SPIR-V.\n\noutput\n"),
     TEXT("-o", output, " FILE",
-         "write there; - and the default are standard output. A suffix selects the\n"
-         "output, .spv SPIR-V, where no option does"),
+         "write to FILE; - (default) is standard output. The suffix selects the output\nunless an "
+         "option does: .spv is SPIR-V"),
     TEXT("-d", folder, " DIR",
-         "write NAME.frag and so on there, for all materials of all documents, each program "
-         "once,\nand manifest.json, which says what uses which; several passes may be named"),
+         "write NAME.frag etc. to DIR for all materials of all documents, each program once,\nand "
+         "manifest.json, which lists the programs of each material; --pass may name several"),
     {"-j", OPTION_int, AT(threads), .min = 1, .max = MAX_THREADS, .clamped = true,
-     .wants = "-j wants a number of threads, from 1 on", .label = " N",
-     .help = "by so many threads; all processors without it"},
-    HEADING("  @FILE                documents named in a file, one a line; a line that begins "
-            "with # is none\n"),
+     .wants = "-j expects a number of threads, at least 1", .label = " N",
+     .help = "number of threads (default: all processors)"},
+    HEADING("  @FILE                read document names from FILE, one per line; lines that start "
+            "with # are ignored\n"),
     TEXT("--cache", cache, " DIR",
-         "with -d: keep there what the next run can use; MATC_CACHE says the same"),
+         "with -d: cache results in DIR for later runs; also set by MATC_CACHE"),
     {"--cache-limit", OPTION_int, AT(cache_limit), .min = 1, .max = INT_MAX, .clamped = true,
-     .wants = "--cache-limit wants a number of MiB, from 1 on", .label = "=MIB",
-     .help = "of the folder: 1024; the least recently used goes first"},
-    FLAG("--cache-stats", cache_stats, NULL, "what the cache holds and how often it helped"),
+     .wants = "--cache-limit expects a number of MiB, at least 1", .label = "=MIB",
+     .help = "size of the cache (default: 1024); least recently used entries are removed first"},
+    FLAG("--cache-stats", cache_stats, NULL, "print the contents and hits of the cache"),
     {"--emit", OPTION_set, AT(emit), .words = {emit_name, NULL, EMIT_COUNT}, .label = "=LIST",
      .help = "glsl (default), vertex, tessvertex, tesscontrol, tesseval,\n"
              "geometryvertex, geometry, compute, displace, unpack, reflect, layout,\n"
-             "spirv, ir, dot, tree; several need -d. Of --target=spirv all stages are SPIR-V"},
-    TEXT("--textures", textures, " DIR", "write the textures that matc makes there, as KTX"),
+             "spirv, ir, dot, tree; several need -d. With --target=spirv all stages are SPIR-V"},
+    TEXT("--textures", textures, " DIR", "write the textures that matc generates to DIR, as KTX"),
     FLAG("--watch", watch, NULL,
-         "with -o or -d: stay, and do it again whenever a file changes that it was made from"),
+         "with -o or -d: keep running, and compile again whenever an input file changes"),
     {"-I", OPTION_list, AT(compile.include), AT(compile.include_count), .label = " DIR",
-     .help = "where `include:` looks for files that are not beside the document; after that, "
-             "among\nthose that come with matc"},
+     .help = "search path of `include:`, after the document's folder and before the\ndefinitions "
+             "that come with matc"},
     TEXT("--root", compile.root, "=DIR",
-         "read nothing outside DIR that a document names, links resolved: for documents of others"),
+         "read no file outside DIR that a document names, after resolving links; for "
+         "untrusted\ndocuments"),
     FLAG("-MD", depend, ", -MF FILE, -MT T",
-         "write a depfile for make and ninja; its name; its target"),
+         "write a depfile for make and ninja; set its name; set its target"),
     TEXT("-MF", depfile, NULL, NULL),
     TEXT("-MT", target, NULL, NULL),
     HEADING("program\n"),
@@ -245,65 +247,69 @@ static const Option options[] = {
     CHOICE("--slot", "=S", "for --pass=value: diffuse (default), normal, specular, ..."),
     {"--layout", OPTION_text, 0, .set = set_choice, .label = "=L", .put_help = put_layouts,
      .help = "; a file;\n"
-             "auto: the smallest that holds all materials given. --explain L shows its fields"},
+             "auto: the smallest that stores all given materials. --explain L shows the fields"},
     {"--layout-error", OPTION_real, AT(layout_error), .min = DBL_TRUE_MIN, .max = 0.5,
-     .wants = "--layout-error wants a number above 0, of at most 0.5", .label = "=E",
-     .help = "of auto: what a colour's square root may be off (0.00196), other slots in "
+     .wants = "--layout-error expects a number above 0, at most 0.5", .label = "=E",
+     .help = "of auto: max error of a color's square root (default: 0.00196), other slots in "
              "proportion"},
     {"--cases", OPTION_word, AT(cases), .words = OPTION_WORDS("used", OPTIONS_CASES_ALL),
      .label = "=C",
-     .help = "with -d, what the unpacking text reads of the layout: used (default), the cases "
-             "that the\nmaterials write; all, so that it holds for materials that come later"},
-    CHOICE("--normals", "=N", "of a G-buffer: of eye space (default) or the world"),
+     .help = "with -d, the cases of the layout that the unpacking code supports: used (default), "
+             "those\nof the given materials; all, also for materials that are compiled later"},
+    CHOICE("--normals", "=N", "space of G-buffer normals: eye (default) or world"),
     CHOICE("--precision", "=P",
-           "fast (default), balanced, exact: sets the next four; each can still be named"),
+           "fast (default), balanced, exact: sets --noise, --coordinates, --powers and "
+           "--trigonometry,\nunless given"),
     CHOICE("--constants", "=C",
            "baked, uniform: numbers of the document come from a uniform block; auto (default): "
-           "with -d,\nthose in which materials that can share a program differ"),
+           "with -d,\nthose that differ between materials that can share a program"),
     CHOICE("--noise", "=N", "lattice (default), groimp, simplex"),
-    CHOICE("--coordinates", "=C", "plain (default), long: no accuracy lost to scales and offsets"),
+    CHOICE("--coordinates", "=C", "plain (default), long: scales and offsets lose no accuracy"),
     CHOICE("--powers", "=P", "squaring (default), pow, compensated"),
     CHOICE("--trigonometry", "=T", "native (default), bounded"),
-    CHOICE("--aa", "=A", "auto (default), none, box, aniso: what is averaged over the pixel"),
-    CHOICE("--derivatives", "=D", "auto (default), finite, analytic: the slopes of BumpMap"),
-    TEXT("--material", material, "=NAME", "of `materials:`; without it, the only one"),
+    CHOICE("--aa", "=A", "auto (default), none, box, aniso: antialiasing by means over the pixel"),
+    CHOICE("--derivatives", "=D", "auto (default), finite, analytic: how BumpMap computes slopes"),
+    TEXT("--material", material, "=NAME", "a material of `materials:` (default: the only one)"),
     {"-O", OPTION_maybe, 0, .set = set_level, .label = "0, -O1, -O2",
-     .help = "as written; optimised (default); -O, -O3 and -Os are -O2"},
+     .help = "optimization level: none, some, all (default); -O, -O3 and -Os are -O2"},
     HEADING("measuring\n"),
     {"--max-error", OPTION_real, AT(max_error), .min = DBL_TRUE_MIN, .max = INFINITY,
-     .wants = "--max-error wants a number above 0", .label = "=E",
-     .help = "the fastest choices, among those not named, that keep every slot within E of the "
-             "reference"},
+     .wants = "--max-error expects a number above 0", .label = "=E",
+     .help = "choose the fastest values of options that are not given, with errors of all slots "
+             "within E"},
     FLAG("--pareto", pareto, NULL,
-         "run time and error of every choice not named; -o BASENAME: also as .csv, .svg and .png"),
+         "print run time and error of all values of options that are not given; -o BASENAME: "
+         "also\nwrite .csv, .svg and .png"),
     {"--range", OPTION_real, AT(range), .min = DBL_TRUE_MIN, .max = 1e30,
-     .wants = "--range wants a number above 0", .label = "=R",
-     .help = "coordinates that count are in [-R, R]: 4"},
+     .wants = "--range expects a number above 0", .label = "=R",
+     .help = "measure for coordinates in [-R, R] (default: 4)"},
     {"--gl", OPTION_index, AT(gl), .words = {gl_name, NULL, GL_KIND_count}, .label = "=KIND",
-     .help = "measure on osmesa (default), or on egl: a GPU where there is one"},
-    HEADING("questions\n"),
-    TEXT("--eval", eval, " \"u=.3 v=.4\"", "values of all slots at a point, by the C reference"),
+     .help = "measure on osmesa (default, in software) or egl (on a GPU if available)"},
+    HEADING("queries\n"),
+    TEXT("--eval", eval, " \"u=.3 v=.4\"",
+         "print the values of all slots at a point, by the C reference"),
     {"--list", OPTION_maybe, AT(list), .otherwise = "", .label = "[=KIND]",
-     .help = "materials, maps, waves, channels, slots ...; one kind of them"},
-    HEADING("  --list FILE          the definitions that a document has, or includes\n"),
-    TEXT("--explain", explain, " NAME", "one of them; with a FILE, a definition"),
+     .help = "list materials, maps, waves, channels, slots, ..., or one kind"},
+    HEADING("  --list FILE          list the definitions that a document contains or includes\n"),
+    TEXT("--explain", explain, " NAME",
+         "describe a name of these lists; with a FILE, a definition"),
     {"--schema", OPTION_maybe, AT(schema), .otherwise = OPTIONS_SCHEMA, .label = "[=OF]",
-     .help = "JSON Schema of document (default), layout, manifest or reflection"},
-    HEADING("  --schema FILE        that of documents, with the definitions that the file has, "
-            "or includes\n"),
+     .help = "print the JSON Schema of document (default), layout, manifest or reflection"},
+    HEADING("  --schema FILE        the schema of documents, with the definitions that FILE "
+            "contains or includes\n"),
     FLAG("--stats", stats, NULL,
-         "times, nodes and cost of every stage, choices and their reasons, on standard error"),
+         "print times, nodes and cost of every stage, and choices with reasons, to standard error"),
     {"--diagnostics", OPTION_index, AT(diagnostics), .words = OPTION_WORDS("text", "json"),
      .label = "=FORM", .help = "text (default), json"},
     {"-W", OPTION_text, 0, .set = add_warning, .label = "no-NAME",
-     .help = "do not give that warning; -Werror, -Werror=NAME: all, or that one, are errors.\n"
-             "--explain warnings lists them"},
-    {"--no-validate", OPTION_clear, AT(compile.validate), .help = "do not ask glslang"},
+     .help = "disable a warning; -Werror, -Werror=NAME: treat all warnings, or one, as "
+             "errors.\n--explain warnings lists the names"},
+    {"--no-validate", OPTION_clear, AT(compile.validate), .help = "do not validate with glslang"},
     FLAG("--check", compile.check, NULL, "check the IR after every pass"),
     FLAG("--help", help, ", --version", ""),
     FLAG("-h", help, NULL, NULL),
     FLAG("--version", version, NULL, NULL),
-    HEADING("\nExit status: 0 fine, 1 a fault in a document or file, 2 wrong usage.\n"),
+    HEADING("\nExit status: 0 success, 1 error in a document or file, 2 wrong usage.\n"),
 };
 
 static int emit_row(const MatcOptions *options, int emit)

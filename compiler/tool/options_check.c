@@ -28,7 +28,7 @@ static const char *check_output(const CommandLine *line)
     if (line->folder && strlen(line->folder) > LONGEST_FOLDER)
         return "the folder's name is too long";
     if (line->output && line->folder)
-        return "-o and -d exclude each other";
+        return "-o and -d are mutually exclusive";
     if (line->input_count > 1 && !line->folder)
         return line->output ? "several documents need -d, not -o" : "several documents need -d";
     if (!emits)

@@ -58,7 +58,7 @@ const char *options_fault_explain(Arena *arena, const char *name)
                 PARAM_COUNT + SCENE_PARAM_COUNT + SCENE_KIND_COUNT + LAYOUT_COUNT + DIAG_COUNT
     };
     Text out = text_new(arena);
-    text_format(&out, "--explain: nothing is called '%s'%s", name,
+    text_format(&out, "--explain: unknown name '%s'%s", name,
                 suggest(arena, name, explained_name, NULL, NAMES));
     return out.at;
 }

@@ -132,8 +132,9 @@ static bool measure_candidates(Work *w, MeasuredList *list)
     free(candidates);
     char *error = w->meter->error;
     if (list->count == 0)
-        return *error || message_fail(error, sizeof w->meter->error,
-                                      "the material compiles in no way that is asked for");
+        return *error ||
+               message_fail(error, sizeof w->meter->error,
+                            "the material does not compile with any of the requested choices");
     return measure_times(w, list);
 }
 

@@ -150,5 +150,5 @@ bool meter_make_constant(Meter *m, Material *made)
         "#version 330 core\nlayout(location = 0) out vec4 colour;\nvoid main() { colour = "
         "vec4(0.25, 0.5, 0.75, 1.0); }\n";
     const FieldText field = {TARGET_glsl330, text, NULL};
-    return field_material(m->store, NULL, &field, made) || fail(m, "the constant colour");
+    return field_material(m->store, NULL, &field, made) || fail(m, "the constant color");
 }

@@ -36,7 +36,7 @@ char *pareto_svg(const MeasuredList *list, const char *title, const GlContext *g
     if (!names)
         memory_exhausted();
     PlotPoint *errors = make_points(list, false, names), *aliasing = make_points(list, true, names);
-    snprintf(note, sizeof note, "%d variants on %s; the time of a constant colour is subtracted",
+    snprintf(note, sizeof note, "%d variants on %s; the time of a constant color is subtracted",
              list->count, gl->renderer);
     const PlotPanel panels[] = {{"Greatest error of a slot, packed and read back", "ns a pixel",
                                  "error", errors, list->count},
@@ -86,16 +86,16 @@ static void put_summary(FILE *out, const MeasuredList *list, const Meter *meter)
     none.layout = -1;
     variant_name(&list->at[0].variant, &none, name);
     fprintf(out, "as given: %s\n", name);
-    fprintf(out,
-            "front: e, none is faster with less error; a, none is faster with less aliasing\n");
-    fprintf(out, "%d programs on %s; a constant colour takes %.3f ns/pixel, which is subtracted",
+    fprintf(out, "front: e, no variant is faster with less error; a, no variant is faster with "
+                 "less aliasing\n");
+    fprintf(out, "%d programs on %s; the time of a constant color, %.3f ns/pixel, is subtracted",
             list->count, meter->gl->renderer, list->constant);
     if (list->same)
         fprintf(out, "; %d variants are the same as one of them", list->same);
     if (list->refused)
         fprintf(out, "; %d cannot be had", list->refused);
     if (list->left_out)
-        fprintf(out, "; %d left out for want of time", list->left_out);
+        fprintf(out, "; %d skipped for lack of time", list->left_out);
     fputc('\n', out);
 }
 

@@ -135,7 +135,7 @@ bool pass_exact_change(Renderer *renderer, unsigned what)
                lights = what & RENDERER_LIGHTS;
     if (!there && lights && needed && frame_has(renderer, FRAME_TARGET_light))
         return gl_fail(renderer->gl,
-                       "shadows are exact where none were otherwise: this is another scene");
+                       "exact shadows were turned on or off: the scene must be set again");
     if (there && !needed)
         return gl_fail(renderer->gl, "no shadows are exact where some were: this is another scene");
     return !there || !lights || pass_exact_list(renderer);

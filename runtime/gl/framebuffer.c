@@ -13,7 +13,7 @@ static bool check_spec(GlContext *gl, const FramebufferSpec *spec)
     int most =
         gl->max_draw_buffers < FRAMEBUFFER_COLORS ? gl->max_draw_buffers : FRAMEBUFFER_COLORS;
     if (spec->color_count < 0 || spec->color_count > most)
-        return gl_fail(gl, "%d colour targets are asked for, the driver has 0 to %d",
+        return gl_fail(gl, "%d color targets requested, the driver supports 0 to %d",
                        spec->color_count, most);
     return true;
 }
@@ -143,7 +143,7 @@ static bool check_complete(GlContext *gl, const Framebuffer *f)
     case GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT:
         return gl_fail(gl, "the driver cannot draw to one of these formats: %s", names);
     case GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT:
-        return gl_fail(gl, "a framebuffer needs a colour target or depth");
+        return gl_fail(gl, "a framebuffer needs a color target or depth");
     default:
         return gl_fail(gl, "a framebuffer is incomplete: 0x%04X", status);
     }
@@ -287,7 +287,7 @@ bool framebuffer_read_words(GlContext *gl, const Framebuffer *framebuffer, int c
 {
     const FramebufferSpec *spec = &framebuffer->spec;
     if (color < 0 || color >= spec->color_count || !framebuffer_has_words(framebuffer, color))
-        return gl_fail(gl, "not a target of whole numbers");
+        return gl_fail(gl, "not a target of integers");
     gl->BindFramebuffer(GL_FRAMEBUFFER, framebuffer->name);
     gl->ReadBuffer(GL_COLOR_ATTACHMENT0 + (GLenum)color);
     gl->ReadPixels(0, 0, spec->width, spec->height, GL_RGBA_INTEGER, GL_UNSIGNED_INT, rgba);

@@ -8,9 +8,9 @@ static const char *fault_of(const PngPicture *picture)
 {
     if (picture->width < 1 || picture->width > PNG_SIZE_LIMIT || picture->height < 1 ||
         picture->height > PNG_SIZE_LIMIT)
-        return "the picture has no pixels, or too many";
+        return "the image has no pixels, or too many";
     return picture->components == 3 || picture->components == 4 ? NULL
-                                                                : "a picture has 3 or 4 lanes";
+                                                                : "an image has 3 or 4 components";
 }
 
 uint8_t *png_write(const PngPicture *picture, size_t *size, const char **why)

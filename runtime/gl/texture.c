@@ -40,7 +40,7 @@ bool texture_check(GlContext *gl, const TextureSpec *spec)
         return gl_fail(gl, "a texture of %d x %d is larger than the driver's %d", spec->width,
                        spec->height, gl->max_texture_size);
     if (spec->components != 1 && spec->components != 4)
-        return gl_fail(gl, "a texture has 1 or 4 lanes, not %d", spec->components);
+        return gl_fail(gl, "a texture has 1 or 4 components, not %d", spec->components);
     if (!!spec->bytes + !!spec->floats + !!spec->words != 1)
         return gl_fail(gl, "a texture is of bytes, of words or of floats");
     return true;

@@ -23,7 +23,7 @@ bool material_feed_make(Material *m, const MatcProgram *program, const char **na
         for (int component = 0; component < 4; component++)
             feed->initial[component] = (float)attribute->initial[component];
         if (attribute->location >= MATERIAL_FEED_NAMES)
-            return gl_fail(store_context(m->store), "more attributes than there is room for");
+            return gl_fail(store_context(m->store), "too many attributes");
         while (count <= attribute->location)
             names[count++] = NULL;
         names[attribute->location] = attribute->attribute;

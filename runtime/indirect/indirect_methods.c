@@ -56,6 +56,6 @@ void indirect_methods_put(Text *out, const Renderer *renderer)
     if (indirect_is_directional(renderer))
         text_put(out, "indirect  light from all around comes by direction\n");
     if (planes)
-        text_format(out, "indirect  rays meet %d of %d infinite planes, which are not in voxels\n",
+        text_format(out, "indirect  rays hit %d of %d infinite planes, which are not voxelized\n",
                     planes, opaque);
 }

@@ -72,7 +72,7 @@ void light_far_put(Text *out, const Renderer *renderer)
             (unsigned long)(block_count(renderer) * (numbers_bytes + words_bytes(renderer))),
             LIGHT_FAR_BLOCK, LIGHT_FAR_BLOCK);
     else
-        text_format(out, "%-8s  %-24s  not there\n", "far", "two buffers");
+        text_format(out, "%-8s  %-24s  not allocated\n", "far", "two buffers");
 }
 
 /* Makes a buffer with a number of bytes per block. */

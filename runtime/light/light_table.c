@@ -61,9 +61,8 @@ bool light_table_write(Renderer *renderer, int unit)
         return gl_fail(renderer->gl, "out of memory");
     shadow_put_lights(renderer, renderer->light->counts, lights->texels);
     if (renderer->light->far.numbers && others != (renderer->light->counts[VIEW_SPACE_POINTS] > 0))
-        return gl_fail(
-            renderer->gl,
-            "lights cast shadows, or do not, where none did otherwise: this is another scene");
+        return gl_fail(renderer->gl,
+                       "shadows of lights were turned on or off: the scene must be set again");
     const int count = capacity_for(view_space_texels(renderer->light->counts, VIEW_SPACE_SECTIONS));
     if (lights->count && count > lights->count)
         return gl_fail(renderer->gl, "the lights take %d texels, not %d: this is another scene",

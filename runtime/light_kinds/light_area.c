@@ -8,7 +8,7 @@ static bool light_area_read(const LightParams *params, SceneLight *light, LightF
     memcpy(light->edges[0], light_params_at(params, S_Area_u), sizeof light->edges[0]);
     memcpy(light->edges[1], light_params_at(params, S_Area_v), sizeof light->edges[1]);
     light->both_sides = *light_params_at(params, S_Area_bothSides) != 0;
-    *fault = (LightFault){DIAG_scene_flat, S_Area_v, "u and v span nothing"};
+    *fault = (LightFault){DIAG_scene_flat, S_Area_v, "u and v are parallel"};
     return vec3_span(light->edges[0], light->edges[1]);
 }
 

@@ -89,7 +89,7 @@ static const char *find_bytes(const Reader *r, const Tree *accessor, size_t coun
     if (made->stride < size || made->stride > MAX_STRIDE)
         return "its bufferView's byteStride is less than a value, or more than 252";
     if (offset > bytes.size || (count - 1) * made->stride + size > bytes.size - offset)
-        return "its accessor ends behind the end of its bufferView";
+        return "its accessor exceeds its bufferView";
     made->at = (const unsigned char *)bytes.at + offset;
     return NULL;
 }
@@ -105,10 +105,9 @@ static const char *find_accessor(const Reader *r, const Tree *index, size_t coun
                        .sparse = gltf_file_value(accessor, "sparse")};
     made->normalized = is_text(gltf_file_value(accessor, "normalized"), "true");
     if (!made->components)
-        return "its accessor's type is none of SCALAR, VEC2, VEC3, VEC4";
+        return "its accessor's type is not SCALAR, VEC2, VEC3 or VEC4";
     if (!bytes_of(component) || component == UNSIGNED_INT) /* not allowed for attributes */
-        return "its accessor's componentType is none of bytes, shorts and floats (5120 to 5123, "
-               "5126)";
+        return "its accessor's componentType is not byte, short or float (5120 to 5123, 5126)";
     if (gltf_file_whole(gltf_file_value(accessor, "count"), 0) != count)
         return "its accessor has another count than that of POSITION";
     return find_bytes(r, accessor, count, made);
@@ -159,7 +158,7 @@ static const unsigned char *sparse_bytes(const Reader *r, const Tree *part, size
     const size_t offset = gltf_file_whole(gltf_file_value(part, "byteOffset"), 0);
     if (!gltf_file_view(&r->place, gltf_file_value(part, "bufferView"), &bytes, why))
         return NULL;
-    *why = "its sparse values end behind the end of their bufferView";
+    *why = "its sparse values exceed their bufferView";
     return offset > bytes.size || size > bytes.size - offset
                ? NULL
                : (const unsigned char *)bytes.at + offset;
@@ -178,7 +177,7 @@ static const char *put_sparse(const Reader *r, const Accessor *a, size_t vertice
     if (!count || count > vertices)
         return "its accessor has more sparse values than vertices, or none";
     if (component != UNSIGNED_BYTE && component != UNSIGNED_SHORT && component != UNSIGNED_INT)
-        return "its sparse indices' componentType is none of 5121, 5123, 5125";
+        return "its sparse indices' componentType is not 5121, 5123 or 5125";
     const unsigned char *number = sparse_bytes(r, indices, count * wide, &why);
     Accessor values = *a;
     values.stride = bytes_of(a->component) * (size_t)a->components;
@@ -192,7 +191,7 @@ static const char *put_sparse(const Reader *r, const Accessor *a, size_t vertice
         for (size_t byte = 0; byte < wide; byte++)
             vertex |= (uint32_t)number[byte] << 8 * byte;
         if (vertex >= vertices)
-            return "its sparse indices are beyond its vertices";
+            return "its sparse indices exceed its vertices";
         put_numbers(&values, 1, &to[vertex]);
     }
     return NULL;
@@ -251,7 +250,7 @@ static bool begin(Reader *r, const Tree *attributes, const char *name, ModelPrim
     while (count < MODEL_COORDINATES && tree_find(attributes, sets[count]))
         count++;
     if (count == MODEL_COORDINATES)
-        return fail(r, name, "no room for it beside eight sets of texture coordinates");
+        return fail(r, name, "all eight sets of texture coordinates are in use");
     const Tree *position = gltf_file_item(
         r->root, "accessors", gltf_file_whole(gltf_file_value(attributes, "POSITION"), SIZE_MAX));
     primitive->vertex_count = gltf_file_whole(gltf_file_value(position, "count"), 0);
@@ -303,7 +302,7 @@ static char *read_file(void *user, const char *path, size_t *size, const char **
             ? fdopen(descriptor, "rb")
             : NULL;
     char *text = file ? malloc((size_t)info.st_size + 1) : NULL;
-    *why = "no such file, or it is too large";
+    *why = "the file does not exist or is too large";
     if (text) {
         *size = fread(text, 1, (size_t)info.st_size, file);
         text[*size] = 0;

@@ -229,7 +229,7 @@ static const char *reported(void)
     const char *text = aiGetErrorString();
     return strcmp(text, "std::bad_alloc")
                ? text
-               : "reading it takes too much memory: it is damaged, or too large";
+               : "reading needs too much memory: the file is corrupt or too large";
 }
 
 bool model_import(const ModelSource *source, ModelParts *parts, char *error, size_t capacity)

@@ -41,11 +41,12 @@ static bool check_options(const MatcRendererOptions *options, char *error, size_
     if (!options->load)
         return message_fail(error, capacity, "no function that loads is given");
     if (!is_size(options->width, options->height))
-        return message_fail(error, capacity, "a picture has 1 to %d pixels each way, not %d x %d",
+        return message_fail(error, capacity,
+                            "an image must have 1 to %d pixels in each direction, not %d x %d",
                             MAX_SIDE, options->width, options->height);
     return !fault ||
            message_fail(error, capacity,
-                        "MatcRendererOptions.compile: the option '%s' has no such value", fault);
+                        "MatcRendererOptions.compile: the option '%s' has an invalid value", fault);
 }
 
 static bool open_renderer(MatcRenderer *r, const MatcRendererOptions *options, char *error,
@@ -79,7 +80,7 @@ MatcRenderer *matc_renderer_open(const MatcRendererOptions *options, char *error
     memcpy(&whole, options, options->size < sizeof whole ? options->size : sizeof whole);
     if (!options->size)
         message_fail(error, capacity,
-                     "MatcRendererOptions.size is 0: it is to be sizeof(MatcRendererOptions)");
+                     "MatcRendererOptions.size is 0; it must be sizeof(MatcRendererOptions)");
     else if (check_options(&whole, error, capacity) && open_renderer(r, &whole, error, capacity))
         return r;
     matc_renderer_close(r);
@@ -118,8 +119,8 @@ bool matc_renderer_set_scene(MatcRenderer *r, MatcScene *scene)
 static bool has(const MatcRenderer *r, int number, int count, const char *what)
 {
     if (!r || !r->scene)
-        return r && gl_fail(r->gl, "there is no scene to change");
-    return (number >= 0 && number < count) || gl_fail(r->gl, "there is no %s %d", what, number);
+        return r && gl_fail(r->gl, "no scene to change");
+    return (number >= 0 && number < count) || gl_fail(r->gl, "no %s %d", what, number);
 }
 
 /* Reports whether a caller's numbers are not NULL and all finite; else sets the context's error. */
@@ -186,7 +187,7 @@ bool matc_renderer_set_camera(MatcRenderer *r, const double position[3], const d
         upright[i] = up[i];
     }
     if (!vec3_normalize(camera.back) || !vec3_normalize(upright))
-        return gl_fail(r->gl, "the way from position to target, or up, has no direction");
+        return gl_fail(r->gl, "the vector from position to target, or up, has no direction");
     vec3_cross(upright, camera.back, camera.right);
     if (vec3_dot(camera.right, camera.right) < 1e-18 || !vec3_normalize(camera.right))
         return gl_fail(r->gl, "up, seen along the view, has no direction");
@@ -212,8 +213,9 @@ bool matc_renderer_set_perspective(MatcRenderer *r, double angle, double near)
     if (!has(r, 0, 1, "camera"))
         return false;
     if (!(angle > 0 && angle < 180) || !(near > 0 && near < INFINITY))
-        return gl_fail(r->gl,
-                       "a perspective wants an angle between 0 and 180 degrees, and near above 0");
+        return gl_fail(
+            r->gl,
+            "a perspective camera needs an angle between 0 and 180 degrees, and near above 0");
     r->scene->camera.kind = SCENE_Perspective;
     r->scene->camera.half = tan(angle * DEGREE / 2);
     r->scene->camera.near = near;
@@ -225,7 +227,7 @@ bool matc_renderer_set_orthographic(MatcRenderer *r, double size, double depth)
     if (!has(r, 0, 1, "camera"))
         return false;
     if (!(size > 0 && size < INFINITY) || !(depth > 0 && depth < INFINITY))
-        return gl_fail(r->gl, "an orthographic projection wants a size and a depth above 0");
+        return gl_fail(r->gl, "an orthographic camera needs a size and a depth above 0");
     r->scene->camera.kind = SCENE_Orthographic;
     r->scene->camera.half = size / 2;
     r->scene->camera.depth = depth;
@@ -247,8 +249,8 @@ bool matc_renderer_set_size(MatcRenderer *r, int width, int height)
     if (!r)
         return false;
     if (!is_size(width, height))
-        return gl_fail(r->gl, "a picture has 1 to %d pixels each way, not %d x %d", MAX_SIDE, width,
-                       height);
+        return gl_fail(r->gl, "an image must have 1 to %d pixels in each direction, not %d x %d",
+                       MAX_SIDE, width, height);
     return renderer_resize(r->renderer, width, height);
 }
 
@@ -294,7 +296,7 @@ bool matc_renderer_set_param(MatcRenderer *r, int material, const char *name,
     if (!has(r, material, material_count(r), "material"))
         return false;
     if (!name || !components || count < 1 || count > COMPONENTS)
-        return gl_fail(r->gl, "a param has a name, and 1 to %d lanes", COMPONENTS);
+        return gl_fail(r->gl, "a param needs a name and 1 to %d components", COMPONENTS);
     for (int i = 0; i < count; i++)
         values[i] = (double)components[i];
     if (!are_finite(r, values, count, "the param"))
@@ -333,7 +335,7 @@ bool matc_renderer_draw(MatcRenderer *r, unsigned framebuffer, const int rectang
         return gl_fail(gl, "the rectangle to draw to is empty, or has no place in a framebuffer");
     const unsigned picture = r->scene ? matc_renderer_texture(r) : 0;
     if (r->scene && !picture)
-        return gl_fail(gl, "the view is not the picture, which alone is drawn to a framebuffer");
+        return gl_fail(gl, "only the view `shown` can be drawn to a framebuffer");
     if (!renderer_frame(r->renderer))
         return false;
     if (!r->framebuffer)
@@ -355,6 +357,6 @@ bool matc_renderer_draw(MatcRenderer *r, unsigned framebuffer, const int rectang
 bool matc_renderer_read(MatcRenderer *r, float *rgba)
 {
     if (!r || !rgba)
-        return r && gl_fail(r->gl, "there is no place for the picture: the pointer is NULL");
+        return r && gl_fail(r->gl, "the pointer to the image is NULL");
     return renderer_read(r->renderer, rgba);
 }

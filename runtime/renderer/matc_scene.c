@@ -154,7 +154,7 @@ static bool check_counts(MatcScene *s, const MatcMesh *mesh)
                             MODEL_VERTICES);
     return (mesh->index_count >= 0 && mesh->index_count <= MODEL_INDICES &&
             !mesh->indices == !mesh->index_count) ||
-           message_fail(s->error, sizeof s->error, "a mesh has up to %d indices, or none",
+           message_fail(s->error, sizeof s->error, "a mesh has at most %d indices, or none",
                         MODEL_INDICES);
 }
 
@@ -243,9 +243,9 @@ static bool check_object(MatcScene *s, int mesh, int material, const double matr
         return message_fail(s->error, sizeof s->error,
                             "a scene with displaced objects takes no further objects");
     if (mesh < 0 || mesh >= scene->mesh_count)
-        return message_fail(s->error, sizeof s->error, "there is no mesh %d", mesh);
+        return message_fail(s->error, sizeof s->error, "no mesh %d", mesh);
     if (material < 0 || material >= scene->material_count)
-        return message_fail(s->error, sizeof s->error, "there is no material %d", material);
+        return message_fail(s->error, sizeof s->error, "no material %d", material);
     const SceneMaterial *of = &scene->materials[material];
     if (matc_moves(of->document, of->index, NULL) != MATC_MOVES_none)
         return message_fail(s->error, sizeof s->error,
@@ -290,7 +290,7 @@ static bool has_object(MatcScene *s, int object)
     if (!s)
         return false;
     return (is_object(s, object) && !s->scene->objects[object].removed) ||
-           message_fail(s->error, sizeof s->error, "there is no object %d", object);
+           message_fail(s->error, sizeof s->error, "no object %d", object);
 }
 
 bool matc_scene_set_visible(MatcScene *s, int object, bool visible)

@@ -98,7 +98,7 @@ const FramePass pass_surface = {
 
 const FramePass pass_plane = {
     .plan = {"plane", .changes = FRAME_BIT(depth) | FRAME_BIT(gbuffer)},
-    .when = "there is an infinite plane",
+    .when = "the scene has an infinite plane",
     .needed = pass_plane_needed,
     .draw = pass_plane_draw,
 };

@@ -64,7 +64,7 @@ const char *renderer_view_canonical(const char *view)
 {
     static const struct {
         const char *old, *name;
-    } aliases[] = {{"shown", "final"}, {"open", "ao"}};
+    } aliases[] = {{"final", "final"}, {"ao", "ao"}};
     for (size_t i = 0; view && i < sizeof aliases / sizeof *aliases; i++)
         if (!strcmp(view, aliases[i].old))
             return aliases[i].name;
@@ -78,15 +78,14 @@ static bool is_view(const char *view)
 
 Renderer *renderer_open(GlContext *gl, const RendererOptions *options)
 {
-    RendererOptions named = *options;
-    const char *view = named.view = renderer_view_canonical(options->view);
-    options = &named;
-    if (!is_view(view))
-        return gl_fail(gl,
-                       "there is no view '%s': final, wireframe, volume, light, depth, shadow, "
-                       "positions, voxels, ao, "
-                       "indirect, bent, visibility, or a slot",
-                       view),
+    if (options->view && !is_target(options->view) &&
+        renderer_find_slot(options->view) == SLOT_COUNT)
+        return gl_fail(
+                   gl,
+                   "unknown view '%s'; expected shown, wireframe, volume, light, depth, shadow, "
+                   "positions, voxels, open, "
+                   "indirect, bent, visibility, or a slot",
+                   options->view),
                NULL;
     if (!transparency_check(gl, options) || !light_far_check(gl, options))
         return NULL;
@@ -245,8 +244,8 @@ static bool make_scene(Renderer *renderer, const Scene *scene, GpuScene *before)
     set_size(renderer, scene);
     look(renderer);
     if (indirect_missing_view(renderer))
-        return gl_fail(renderer->gl, "there is nothing to see of view '%s': %s",
-                       renderer->options.view, indirect_missing_view(renderer));
+        return gl_fail(renderer->gl, "view '%s' is not available: %s", renderer->options.view,
+                       indirect_missing_view(renderer));
     if (!settle_patches(renderer, scene) || !make_set(renderer, scene) ||
         !plane_transmittance_check(renderer))
         return false;
@@ -295,7 +294,7 @@ bool renderer_set_scene(Renderer *renderer, const Scene *scene)
 
 static bool has_scene(const Renderer *renderer)
 {
-    return renderer->scene || gl_fail(renderer->gl, "there is no scene to change");
+    return renderer->scene || gl_fail(renderer->gl, "no scene to change");
 }
 
 /* Reports whether the origin of the scene's coordinates has moved since the last rebuild, which
@@ -388,7 +387,7 @@ static bool recount(Renderer *renderer)
 bool renderer_frame(Renderer *renderer)
 {
     if (!renderer->scene)
-        return gl_fail(renderer->gl, "there is no scene to draw");
+        return gl_fail(renderer->gl, "no scene to draw");
     if (renderer->uncounted && !recount(renderer))
         return false;
     frame_draw(renderer);

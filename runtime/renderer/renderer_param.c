@@ -54,13 +54,13 @@ bool renderer_param(Renderer *renderer, int material, const char *name, const fl
                     int count)
 {
     if (!renderer->scene)
-        return gl_fail(renderer->gl, "there is no scene to change");
+        return gl_fail(renderer->gl, "no scene to change");
     renderer->uncounted = true; /* the number of alpha-tested fragments may have changed */
     renderer->shadows->drawn = false;
     pass_voxels_forget(renderer);
     const MaterialValue value = {name, count, components};
     if (!set(renderer, material, &value))
-        return gl_fail(renderer->gl, "no program of the material has a param '%s' of %d lanes",
+        return gl_fail(renderer->gl, "no program of the material has a param '%s' of %d components",
                        name, count);
     return keep(renderer, material, &value);
 }

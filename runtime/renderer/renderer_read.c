@@ -115,7 +115,7 @@ bool renderer_read(Renderer *renderer, float *rgba)
     const FramebufferPart part = {0, margin, margin, renderer_tile_width(renderer),
                                   renderer_tile_height(renderer)};
     if (!renderer->scene)
-        return gl_fail(renderer->gl, "there is no scene to read");
+        return gl_fail(renderer->gl, "no scene to read");
     if (!gl_check(renderer->gl, "drawing a frame"))
         return false;
     if (!strcmp(view_of(renderer), "final"))

@@ -76,10 +76,10 @@ static void put_glass(Text *out, const Renderer *renderer)
     unsigned long fragments = 0;
     for (int i = 0; i < glass->part_count; i++)
         fragments += glass->parts[i].fragments;
-    text_format(out, "shadow    a buffer of what is transparent there: %lu bytes for %lu fragments",
+    text_format(out, "shadow    lists of transparent fragments: %lu bytes for %lu fragments",
                 (unsigned long)glass->bytes, fragments);
     if (renderer->tiled)
-        text_format(out, ", in %d parts, drawn again for every frame", glass->part_count);
+        text_format(out, ", in %d tiles, drawn again for every frame", glass->part_count);
     text_char(out, '\n');
 }
 
@@ -149,24 +149,24 @@ static void put_unshadowed(Text *out, const Renderer *renderer)
     const int areas = count_areas(renderer, false),
               skies = count_from(renderer->scene, LIGHT_FROM_sky);
     if (areas || skies)
-        text_format(out, "shadow    none falls from %d area lights and %d skies\n", areas, skies);
+        text_format(out, "shadow    no shadows from %d area lights and %d skies\n", areas, skies);
     if (!shadow_is_cast(renderer))
         return;
     if (lacks_sheets(renderer))
         text_put(out,
-                 "shadow    planes whose transparency varies cast none: it takes OpenGL 4.3\n");
+                 "shadow    no shadows of planes with varying transparency: needs OpenGL 4.3\n");
     for (const ShadowMethod *const *row = shadow_methods_of(renderer); *row; row++)
         if ((*row)->apart && shadow_has_maps(renderer) &&
             shadow_method_lights(renderer, (*row)->word) &&
             renderer->set.uses.casts != SET_CASTS_colored && is_transparent(renderer))
-            text_format(out, "shadow    what is transparent casts none in %s light%s\n",
+            text_format(out, "shadow    no shadows of transparent surfaces by method %s%s\n",
                         keyword_table[(*row)->word].name,
-                        renderer->scene->shadow_colored ? ": it takes OpenGL 4.3"
-                                                        : ", as shadows are not colored");
+                        renderer->scene->shadow_colored ? ": needs OpenGL 4.3"
+                                                        : ": shadows are not colored");
     if (renderer->gpu_scene.caster_count && renderer->scene->shadow_colored &&
         renderer->set.uses.casts != SET_CASTS_colored)
-        text_put(out,
-                 "shadow    what is transparent casts all or nothing: colours take OpenGL 4.3\n");
+        text_put(out, "shadow    transparent surfaces cast opaque shadows or none: colored shadows "
+                      "need OpenGL 4.3\n");
 }
 
 /* Describes soft shadows of area lights, and shadow casters that they lack. */
@@ -175,12 +175,12 @@ static void put_soft(Text *out, const Renderer *renderer)
     const int points = renderer->scene->shadow_points, areas = count_areas(renderer, true);
     if (!areas)
         return;
-    text_format(out, "shadow    soft from %d area lights, by %d points of each\n", areas,
+    text_format(out, "shadow    soft shadows from %d area lights, %d points each\n", areas,
                 points * points);
     if (plane_transmittance_needed(renderer) || lacks_sheets(renderer))
-        text_put(out, "shadow    planes whose transparency varies cast none there\n");
+        text_put(out, "shadow    no soft shadows of planes with varying transparency\n");
     if (renderer->tiled)
-        text_put(out, "shadow    what is transparent casts none there: its lists are in parts\n");
+        text_put(out, "shadow    no soft shadows of transparent surfaces: their lists are tiled\n");
 }
 
 static void put_memory(Text *out, const Renderer *renderer)
@@ -189,7 +189,7 @@ static void put_memory(Text *out, const Renderer *renderer)
     for (int i = 0; i < FRAME_TARGET_COUNT; i++) {
         const FrameTarget target = (FrameTarget)i;
         if (target == FRAME_TARGET_shadow)
-            continue; /* of their own sizes, so no bytes per pixel */
+            continue; /* of their own sizes, so no bytes a pixel */
         Text formats = text_new(out->arena);
         text_put(&formats, "");
         for (int t = 0; frame_format(renderer, target, t); t++)
@@ -199,7 +199,7 @@ static void put_memory(Text *out, const Renderer *renderer)
         else if (target == FRAME_TARGET_far)
             light_far_put(out, renderer);
         else if (renderer->targets.plan.memory[i][0] < 0)
-            text_format(out, "%-13s  %-24s  not there\n", frame_target_name(target), formats.at);
+            text_format(out, "%-8s  %-24s  not allocated\n", frame_target_name(target), formats.at);
         else {
             text_format(out, "%-13s  %-24s  ", frame_target_name(target), formats.at);
             put_bytes(out, frame_bytes(renderer, target), frame_shared_bytes(renderer, target));
@@ -208,7 +208,7 @@ static void put_memory(Text *out, const Renderer *renderer)
     plane_transmittance_put(out, renderer);
     text_format(out, "%-13s  %-24s  %d\n", "", "", frame_all_bytes(renderer));
     if (renderer->samples > 1)
-        text_format(out, "%d x %d samples a pixel: each has these bytes, and the picture one\n",
+        text_format(out, "%d x %d samples per pixel: each has these bytes, and the image one\n",
                     renderer->samples, renderer->samples);
     displaced_stats_put(out, renderer);
     if (renderer->targets.plan.there >> FRAME_TARGET_shadow & 1)
@@ -232,7 +232,7 @@ static void put_tiles(Text *out, const Renderer *renderer)
     const int whole[2] = {renderer_width(renderer), renderer_height(renderer)};
     const int tile[2] = {renderer_tile_width(renderer), renderer_tile_height(renderer)};
     if (tile[0] < whole[0] || tile[1] < whole[1])
-        text_format(out, "\n%d tiles of %d x %d pixels: the times are of the last one\n",
+        text_format(out, "\n%d tiles of %d x %d pixels: the times are those of the last tile\n",
                     ((whole[0] + tile[0] - 1) / tile[0]) * ((whole[1] + tile[1] - 1) / tile[1]),
                     tile[0], tile[1]);
 }
@@ -270,7 +270,7 @@ char *renderer_diagnostics(const Renderer *renderer)
     if (renderer->scene && renderer->gpu_scene.place_count && !renderer->gpu_scene.seen &&
         !renderer->gpu_scene.plane_count)
         diag_complain(&out, MATC_TEXT, SEVERITY_warning, NULL,
-                      "no object is in view: all lie beside the picture, behind the camera, or "
+                      "no object is in view: all are outside the frustum, behind the camera, or "
                       "nearer than its `near`");
     return finish(&out);
 }
@@ -327,7 +327,8 @@ char *renderer_stats(Renderer *renderer)
                 renderer_width(renderer), renderer_height(renderer), renderer->scene->object_count,
                 renderer->gpu_scene.triangles, renderer->gpu_scene.mesh_count,
                 renderer->gpu_scene.plane_count, renderer->scene->light_count);
-    text_format(&out, "%d materials, %d programs of %d texts, passes over all pixels in %s\n",
+    text_format(&out,
+                "%d materials, %d programs of %d distinct sources, full-screen passes in %s\n",
                 renderer->scene->material_count, renderer->set.count, renderer->set.texts,
                 renderer->compute ? "compute" : "fragments");
     return finish(&out);

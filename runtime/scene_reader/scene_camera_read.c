@@ -13,7 +13,7 @@ static void look(SceneReader *r, const SceneNodeDesc *desc, const int params[3],
     const SceneAim aim = scene_camera_aim(camera);
     if (aim == SCENE_AIM_view)
         diag_add(r->session, scene_node_span(desc, params[1]), DIAG_no_direction,
-                 "the way from position to target");
+                 "the vector from position to target");
     else if (aim == SCENE_AIM_up)
         diag_add(r->session, scene_node_span(desc, params[2]), DIAG_no_direction,
                  "up, seen along the view,");

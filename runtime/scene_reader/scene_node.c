@@ -17,7 +17,7 @@ static bool is_number(SceneReader *r, const SceneParamRow *row, const Value *val
     if (value->kind != VALUE_uniform)
         return true;
     diag_add(r->session, value->span, DIAG_param_here, row->param.name,
-             "it is of a scene, and no uniform of a program");
+             "values of a scene are not uniforms of a program");
     return fail(r);
 }
 
@@ -164,7 +164,7 @@ const char *scene_node_name(SceneReader *r, const Tree *given)
 {
     if (!given || (given->kind == TREE_scalar && *given->text))
         return given ? given->text : NULL;
-    diag_add(r->session, given->span, DIAG_wrong_type, "name", "a text",
+    diag_add(r->session, given->span, DIAG_wrong_type, "name", "a string",
              tree_describe(r->session, given));
     fail(r);
     return NULL;

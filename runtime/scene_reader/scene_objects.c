@@ -98,7 +98,7 @@ static bool check_matrix(SceneReader *r, const SceneNodeDesc *desc, const SceneO
         return fault(r, span, DIAG_scene_flat, "the transformation makes it flat");
     if (desc->kind == SCENE_Plane && fabs(vec3_dot(x, y)) > 1e-6)
         return fault(r, span, DIAG_scene_flat,
-                     "the transformation leaves x and y of a plane at no right angle");
+                     "the transform does not keep x and y of a plane perpendicular");
     return true;
 }
 
@@ -107,7 +107,7 @@ static bool check_parallelogram(SceneReader *r, const SceneNodeDesc *desc,
 {
     return desc->kind != SCENE_Parallelogram || vec3_span(object->numbers, object->numbers + 3) ||
            fault(r, scene_node_span(desc, S_Parallelogram_v), DIAG_scene_flat,
-                 "u and v span nothing");
+                 "u and v are parallel");
 }
 
 /* Returns the object's own material, or that of its group. */
@@ -320,16 +320,16 @@ static bool check_scatter(SceneReader *r, const SceneNodeDesc *desc)
     if (scene_node_number(desc, S_Scatter_least) > scene_node_number(desc, S_Scatter_most))
         return fault_scatter(r, desc, S_Scatter_least, "the least scale is greater than the most");
     if (on && has(desc, "size"))
-        return fault_scatter(r, desc, S_Scatter_size,
-                             "copies on a surface stand in no box: `on` or `size`");
+        return fault_scatter(
+            r, desc, S_Scatter_size,
+            "`on` and `size` are mutually exclusive: copies are either on a surface or in a box");
     if (has(desc, "density") && has(desc, "count"))
         return fault_scatter(r, desc, S_Scatter_density,
                              "there are as many copies as one says: `density` or `count`");
     if (!on && has(desc, "density"))
-        return fault_scatter(r, desc, S_Scatter_density, "density is of a surface: it wants `on`");
+        return fault_scatter(r, desc, S_Scatter_density, "`density` needs a surface: set `on`");
     if (!on && has(desc, "aligned"))
-        return fault_scatter(r, desc, S_Scatter_aligned,
-                             "copies are aligned to a surface: it wants `on`");
+        return fault_scatter(r, desc, S_Scatter_aligned, "alignment needs a surface: set `on`");
     return true;
 }
 
@@ -339,11 +339,11 @@ static bool make_surface(SceneReader *r, const SceneNodeDesc *desc, int first, S
     for (int i = first; i < scene->object_count; i++)
         if (scene->objects[i].kind == SCENE_Plane)
             return fault_scatter(r, desc, S_Scatter_on,
-                                 "a plane has no end: copies cannot stand evenly on all of it");
+                                 "copies cannot be distributed evenly on an infinite plane");
     if (!scene_surface_make(scene, scene->objects + first, scene->object_count - first, made) ||
         (r->surface_triangles += made->count) > SCENE_SURFACE_TRIANGLES)
         return fault_scatter(r, desc, S_Scatter_on,
-                             "surfaces that copies stand on have too many triangles in all");
+                             "the surfaces of all Scatters have too many triangles in total");
     return scene_surface_area(made) > 0 ||
            fault_scatter(r, desc, S_Scatter_on, "the surface has no area");
 }

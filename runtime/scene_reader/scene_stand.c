@@ -242,8 +242,7 @@ bool scene_stand(SceneReader *r, const MatcOptions *options)
     for (size_t i = 0; i < r->stand_count && fine; i++)
         fine = stand(r, options, i, &how);
     if (!fine)
-        diag_add(
-            r->session, NO_SPAN, DIAG_scene_scatter,
-            "what displaces the surface takes too many operations, or more memory than there is");
+        diag_add(r->session, NO_SPAN, DIAG_scene_scatter,
+                 "the displacement of the surface needs too many operations or too much memory");
     return fine;
 }

@@ -48,10 +48,8 @@ bool plane_transmittance_check(const Renderer *renderer)
 {
     const char *way = renderer->options.transparency;
     return !plane_transmittance_needed(renderer) || !way || strcmp(way, "lists") != 0 ||
-           gl_fail(renderer->gl,
-                   "a plane whose transparency varies casts shadows, by which lists of "
-                   "fragments are not "
-                   "lit: transparency auto or peeling is");
+           gl_fail(renderer->gl, "a plane with varying transparency casts shadows, which fragment "
+                                 "lists do not support: use transparency auto or peeling");
 }
 
 static int count_sheets(const Renderer *renderer)
@@ -70,9 +68,8 @@ int plane_transmittance_bytes(const Renderer *renderer)
 void plane_transmittance_put(Text *out, const Renderer *renderer)
 {
     if (renderer->shadows->sheets.layers)
-        text_format(out, "%-8s  %-24s  %d: what planes let through of %d lights\n", "sheets",
-                    "RG32UI", plane_transmittance_bytes(renderer),
-                    renderer->shadows->sheets.layer_count);
+        text_format(out, "%-8s  %-24s  %d: plane transmittance of %d lights\n", "sheets", "RG32UI",
+                    plane_transmittance_bytes(renderer), renderer->shadows->sheets.layer_count);
 }
 
 /* -- resources */
@@ -84,10 +81,10 @@ static bool make_layers(Renderer *renderer)
     GLint most = 0;
     gl->GetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &most);
     if (sheets->layer_count > most)
-        return gl_fail(gl,
-                       "%d lights shine through planes whose transparency varies, and the driver "
-                       "has room for %d",
-                       sheets->layer_count, most);
+        return gl_fail(
+            gl,
+            "%d lights shine through planes with varying transparency, but the driver supports %d",
+            sheets->layer_count, most);
     gl->GenTextures(1, &sheets->layers);
     gl->BindTexture(GL_TEXTURE_2D_ARRAY, sheets->layers);
     gl->TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
@@ -95,7 +92,7 @@ static bool make_layers(Renderer *renderer)
     gl->TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, 0);
     gl->TexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RG32UI, renderer->size[0], renderer->size[1],
                    sheets->layer_count, 0, GL_RG_INTEGER, GL_UNSIGNED_INT, NULL);
-    return gl_check(gl, "making room for what planes let through");
+    return gl_check(gl, "allocating plane transmittance");
 }
 
 /* Replaces the input worldRay by a variable: blanks out the qualifiers before the type in

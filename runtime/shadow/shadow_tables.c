@@ -264,9 +264,8 @@ static bool count(Renderer *renderer, ShadowPart *part)
 static bool fail_capacity(Renderer *renderer, const ShadowPart *part)
 {
     return gl_fail(renderer->gl,
-                   "shadows of what is transparent take %lu bytes for %lu fragments, and there may "
-                   "be %lu: smaller "
-                   "maps take less, and shadowMaps: { colored: false } none",
+                   "shadows of transparent surfaces need %lu bytes for %lu fragments, but the "
+                   "limit is %lu: use smaller maps or shadowMaps: { colored: false }",
                    (unsigned long)shadow_glass_bytes(part), (unsigned long)part->fragments,
                    (unsigned long)transparency_most_bytes(renderer));
 }

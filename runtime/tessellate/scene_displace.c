@@ -96,7 +96,7 @@ static bool make_mesh(Maker *k, const SceneObject *object, const SceneBase *base
     if (fineness.steps)
         before.numbers[scene_detail_number(before.kind)] = fineness.steps;
     if (base->kind != SCENE_Mesh && !scene_solid(&before, &solid))
-        return scene_displacer_fail(k->by, object->material, "takes more memory than there is");
+        return scene_displacer_fail(k->by, object->material, "needs too much memory");
     scene_displace_params(scene, object->material);
     const bool fine = scene_displaced_mesh(
         &how, base->kind != SCENE_Mesh ? &solid : &scene->meshes[base->mesh].shape, made);
@@ -112,7 +112,7 @@ static bool make_mesh(Maker *k, const SceneObject *object, const SceneBase *base
                                     "}` makes fewer of each mesh");
     }
     return fine || scene_displacer_fail(k->by, object->material,
-                                        "takes too many operations, or more memory than there is");
+                                        "needs too many operations or too much memory");
 }
 
 /* Returns a free mesh slot: each displaced object may have two meshes, the old one until the new
@@ -188,8 +188,8 @@ static SceneDisplaced displace_objects(Scene *scene, int material, int first, in
                .by = by,
                .next = malloc(((size_t)scene->object_count + 1) * sizeof *k.next),
                .mesh_count = scene->mesh_count};
-    bool fine = k.next != NULL || scene_displacer_fail(by, scene->objects[first].material,
-                                                       "takes more memory than there is"),
+    bool fine = k.next != NULL ||
+                scene_displacer_fail(by, scene->objects[first].material, "needs too much memory"),
          changed = false;
     for (int i = by->first; fine && i < scene->mesh_count; i++)
         if (by->users[i]) {
@@ -321,8 +321,7 @@ SceneDisplaced scene_displace_param(Scene *scene, int material, const char *name
         return SCENE_DISPLACED_none;
     SceneDisplacedParam *param = scene_displacer_param(scene, material, name, count);
     if (!param)
-        return scene_displacer_fail(by, material, "takes more memory than there is"),
-               SCENE_DISPLACED_failed;
+        return scene_displacer_fail(by, material, "needs too much memory"), SCENE_DISPLACED_failed;
     memcpy(before, param->components, sizeof before);
     memcpy(param->components, components, (size_t)count * sizeof *components);
     const SceneDisplaced made = displace_objects(scene, material, 0, scene->object_count);

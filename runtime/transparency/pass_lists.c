@@ -167,7 +167,7 @@ void transparency_put_lists(Text *out, const Renderer *renderer)
                     "a buffer", 4 * transparency_stride(&renderer->set),
                     (unsigned long)lists->bytes, (unsigned long)lists->fragments);
     else
-        text_format(out, "%-8s  %-24s  not there\n", "lists", "a buffer");
+        text_format(out, "%-8s  %-24s  not allocated\n", "lists", "a buffer");
 }
 
 static void pass_blend_place(Renderer *renderer)
@@ -192,7 +192,7 @@ static bool pass_blend_moved(Renderer *renderer, int first, int count)
 
 const FramePass pass_lists = {
     .plan = {"lists", .reads = FRAME_BIT(depth), .fills = FRAME_BIT(lists)},
-    .when = "something is transparent, and there is OpenGL 4.3",
+    .when = "the scene has transparent surfaces, and OpenGL 4.3 is supported",
     .needed = pass_lists_needed,
     .make = pass_lists_make,
     .count = pass_lists_count,

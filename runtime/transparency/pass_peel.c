@@ -27,7 +27,8 @@ static bool make_layer(Renderer *renderer, int number)
             frame_texture(renderer, FRAME_TARGET_layer, spec.color_count);
     }
     if (spec.color_count == FRAMEBUFFER_COLORS)
-        return gl_fail(renderer->gl, "the layout's %d targets leave none for peeling",
+        return gl_fail(renderer->gl,
+                       "the layout uses all %d targets, so none is left for depth peeling",
                        spec.color_count);
     textures.formats[spec.color_count] = frame_format(renderer, FRAME_TARGET_layer_keys, number);
     textures.colors[spec.color_count++] = frame_texture(renderer, FRAME_TARGET_layer_keys, number);

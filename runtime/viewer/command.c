@@ -115,56 +115,57 @@ static bool find_values(const char *name, NameChoice *values)
 #define ROW_HELP(label_, help_) .label = label_, .help = help_
 static const Option options[] = {
     HEADING("usage: matview [options] document...\n\n"
-            "Draws pictures of materials and of scenes, and prints the names of the files. A "
-            "document with `objects:` or `lights:` is a scene;\n"
-            "matc --list=scenes has what it is made of.\n\n"),
+            "Renders materials and scenes to images, and prints the names of the files. A document "
+            "with\n`objects:` or `lights:` is a scene; matc --list=scenes lists the parts of "
+            "scenes.\n\n"),
     TEXT("-o", output, " FILE",
-         "the picture, - to standard output; without -o and -d NAME.png, here"),
-    TEXT("-d", folder, " DIR",
-         "write DIR/NAME.png for every document, DIR/NAME.MATERIAL.png where it has several "
-         "materials"),
+         "write the image to FILE, - is standard output; without -o and -d: NAME.png in this "
+         "folder"),
+    TEXT(
+        "-d", folder, " DIR",
+        "write DIR/NAME.png for every document, DIR/NAME.MATERIAL.png if it has several materials"),
     {"--size", OPTION_int, AT(size), .min = 1, .max = PNG_SIZE_LIMIT,
-     .wants = "--size wants a number from 1 to 16384", .label = "=N",
-     .help = "pixels of an edge: 512, of a contact sheet's cell 192; of a scene: of its width, "
-             "in its proportions"},
+     .wants = "--size expects a number from 1 to 16384", .label = "=N",
+     .help = "width and height in pixels (default: 512; contact sheet: 192 per cell); of a scene: "
+             "its width,\nwith its aspect ratio"},
     {"--samples", OPTION_int, AT(samples), .min = 1, .max = RENDERER_SAMPLES_MAX,
-     .wants = "--samples wants a number from 1 to 8", .label = "=N",
-     .help = "N x N samples a pixel, 1 to 8: 2, of a scene 1"},
+     .wants = "--samples expects a number from 1 to 8", .label = "=N",
+     .help = "N x N samples per pixel, 1 to 8 (default: 2; scenes: 1)"},
     {"--edges", OPTION_index, AT(edges), .words = OPTION_WORDS("none", "coverage"),
      .label = "=EDGES",
-     .help = "coverage (default): pixels that an outline or a crease runs through show both "
-             "sides; none"},
+     .help = "coverage (default): blends both sides in pixels on an outline or a crease; none"},
     TEXT("--view", view, "=NAME",
          "final (default), light, depth, shadow (maps, side by side), positions, voxels, ao, "
          "indirect, bent, visibility, or a slot; wireframe; volume, volumeWireframe, "
          "wireframes, volumeAlone, volumeWireframeAlone: with shadow volumes"),
     {"--tools", OPTION_set, AT(tools_named),
      .words = OPTION_WORDS("grid", "axes", "lights", "none"), .label = "=LIST",
-     .help = "of grid, axes, lights, or none: lines over the picture; else as the scene says"},
+     .help = "overlay lines: grid, axes, lights, or none (default: as in the scene)"},
     {"--format", OPTION_word, AT(format_named), .words = OPTION_WORDS("png", "exr"),
      .label = "=FORMAT",
-     .help = "png (default), exr: linear light, before exposure and tone mapping; else as FILE "
-             "ends"},
-    {"--bits", OPTION_int, AT(bits), .min = 8, .max = 32, .wants = "--bits wants 8, 16 or 32",
-     .label = "=N", .help = "of a lane: 8 (default) or 16 of a PNG; 16 (default) or 32 of an EXR"},
+     .help = "png, or exr: linear light, before exposure and tone mapping (default: by FILE's "
+             "extension)"},
+    {"--bits", OPTION_int, AT(bits), .min = 8, .max = 32, .wants = "--bits expects 8, 16 or 32",
+     .label = "=N",
+     .help = "bits per channel: 8 (default) or 16 for PNG; 16 (default) or 32 for EXR"},
     {"--memory", OPTION_int, AT(memory), .min = 1, .max = MEMORY_MAX,
-     .wants = "--memory wants a number of MiB, from 1 on", .label = "=MIB",
-     .help = "that render targets may take: 256. A picture that takes more is drawn in tiles"},
-    FLAG("--progress", progress, NULL, "how far it is, on standard error, as on a terminal"),
+     .wants = "--memory expects a number of MiB, at least 1", .label = "=MIB",
+     .help = "max memory of render targets (default: 256); larger images are rendered in tiles"},
+    FLAG("--progress", progress, NULL, "print progress to standard error, as on a terminal"),
     {"--transparency", OPTION_word, AT(transparency),
      .words = OPTION_WORDS("auto", "lists", "peeling"), .label = "=HOW",
-     .help = "auto (default), lists, peeling: how transparent surfaces are put in order; the "
-             "picture is the same"},
+     .help = "auto (default), lists, peeling: how transparent surfaces are sorted; the image is "
+             "the same"},
     {"--lights", OPTION_word, AT(lights), .words = OPTION_WORDS("auto", "bounded", "all"),
      .label = "=HOW",
-     .help = "auto (default), bounded, all: far ones of many together, less than half a step of "
-             "8 bits off"},
+     .help = "auto (default), bounded, all: many distant lights may be combined, with an error of "
+             "less\nthan half a step of 8 bits"},
     FLAG("--stats", stats, NULL,
-         "which passes ran, what they took, and why others did not run, on standard error"),
+         "print the passes that ran, their times, and why others did not run, to standard error"),
     {"--emit", OPTION_word, AT(emit), .words = OPTION_WORDS("frame"), .label = "=frame",
-     .help = "the passes and their targets, and no picture"},
+     .help = "print the passes and their targets instead of an image"},
     FLAG("--watch", watch, NULL,
-         "draw again whenever a document, or a file that it depends on, changes"),
+         "render again whenever a document, or a file that it depends on, changes"),
     {"-I", OPTION_list, AT(compile.include), AT(compile.include_count), .help = NULL},
     TEXT("--root", compile.root, NULL, NULL),
     CHOICE("--layout"),
@@ -179,58 +180,55 @@ static const Option options[] = {
     CHOICE("--normals"),
     HEADING("  -I, --root, --layout, --noise, --precision, --aa, --derivatives, --coordinates, "
             "--powers, --trigonometry,\n"
-            "  --constants, --normals: as matc has them; of a scene, without --layout, the "
-            "smallest that holds its materials\n"),
+            "  --constants, --normals: as in matc; the default layout of a scene is the smallest "
+            "that stores its materials\n"),
     {"--gl", OPTION_index, AT(gl), .words = {gl_word, NULL, GL_KIND_count}, .label = "=KIND",
-     .help = "osmesa (default): in software; egl: on a GPU where there is one"},
+     .help = "osmesa (default): in software; egl: on a GPU if available"},
     FLAG("--help", help, ", --version", ""),
     FLAG("-h", help, NULL, NULL),
     FLAG("--version", version, NULL, NULL),
-    HEADING("of materials\n"),
+    HEADING("materials\n"),
     TEXT("--contact", contact, "=FILE",
-         "one picture of all materials of all documents, with their names; --size is then that "
-         "of a cell"),
-    TEXT("--material", material, "=NAME", "of `materials:`"),
+         "write one image of all materials of all documents, with their names; --size is the size "
+         "of\na cell"),
+    TEXT("--material", material, "=NAME", "a material of `materials:`"),
     {"--param", OPTION_text, 0, .set = add_param, .label = "=NAME=VALUE",
-     .help = "a value of the document's param of that name, as documents have it: 0.7, #c04020, "
-             "[0, 1, 0]"},
+     .help = "set the document's param of that name, in document syntax: 0.7, #c04020, [0, 1, 0]"},
     {"--shape", OPTION_word, AT(shape), .words = {shape_word, NULL, SHAPE_count}, .label = "=SHAPE",
      .help = "sphere (default), plane, cube, torus, cloth, ground (a plane to the horizon)"},
     TEXT("--mesh", mesh, "=FILE",
-         "an OBJ, glTF 2 (.gltf, .glb) or PLY file instead of a shape; it is scaled to the size "
-         "of one"),
+         "an OBJ, glTF 2 (.gltf, .glb) or PLY file instead of a shape, scaled to the size of the "
+         "shapes"),
     TEXT("--camera", viewpoint, "=VIEWPOINT",
-         "front, left, top, low, close, or X,Y,Z[,X,Y,Z[,DEGREES]]: where it stands, what it "
-         "looks at,\nits angle of view; the shape is about 1 around the origin, and z is up"),
+         "front, left, top, low, close, or X,Y,Z[,X,Y,Z[,DEGREES]]: position, target, angle of "
+         "view;\nthe shape extends about 1 around the origin, and z is up"),
     {"--slot", OPTION_word, AT(slot), .words = {slot_word, NULL, SLOT_LOOK_COUNT}, .label = "=SLOT",
-     .help = "shows a slot of the G-buffer: normal (in the eye's space), diffuse, ...; matc "
-             "--list has all.\n"
-             "Exponents as their logarithm to base 2, of 16; of the layout integer unless one "
-             "is named"},
+     .help = "show a slot of the G-buffer: normal (in eye space), diffuse, ...; see matc "
+             "--list.\nExponents are shown as log2 / 16. The default layout is integer"},
     {"--pass", OPTION_word, 0, .set = set_choice, .words = OPTION_WORDS("gbuffer", "sky"),
      .label = "=PASS",
-     .help = "gbuffer (default), sky: the material as the sky all around, towards its brightest "
-             "side"},
+     .help = "gbuffer (default), sky: the material as the surrounding sky, viewed toward its "
+             "brightest side"},
     {"--time", OPTION_real, AT(compile.time), .min = -INFINITY, .max = INFINITY,
-     .wants = "--time wants a number of seconds", .label = "=SECONDS",
-     .help = "the time of formulas; frames of a motion go on from there, 25 a second"},
-    HEADING("of scenes\n"),
+     .wants = "--time expects a number of seconds", .label = "=SECONDS",
+     .help = "the time of formulas; a motion starts at this time, with 25 frames per second"},
+    HEADING("scenes\n"),
     {"--shadows", OPTION_index, AT(shadows), .words = {shadows_word, NULL, WORD_COUNT},
      .label = "=METHOD",
-     .help = "how all lights cast shadows that do (matc --explain shadows), else "
-             "as the scene says"},
+     .help = "shadow method of all lights that cast shadows (see matc --explain shadows; default: "
+             "as in\nthe scene)"},
     {"--indirect", OPTION_index, AT(indirect), .words = {indirect_word, NULL, WORD_COUNT},
      .label = "=METHOD", .put_help = put_indirect_words,
-     .help = ":\nhow indirect light is found, else as the scene says"},
+     .help = ":\nmethod of indirect light (default: as in the scene)"},
     {"--compare", OPTION_word, AT(compare),
      .words = OPTION_WORDS("shadows", "indirect", "displacement"), .label = "=WHAT",
-     .help = "one picture, with names: all methods of shadows, of indirect, or of displacement, "
-             "side by side"},
+     .help = "write one image of all methods of shadows, indirect or displacement, side by side, "
+             "with names"},
     {"--frames", OPTION_text, 0, .set = set_frames, .label = "=N, --frames=A-B, --frame=K",
-     .help = "frames of the scene's motion: N for all of it, or of its own the A-th to the "
-             "B-th, the\nK-th; the first is 0. -o names them, out-%04d.png"},
+     .help = "frames of the scene's motion: N frames for the whole motion, or the A-th to B-th, or "
+             "K-th\nof its own frames, from 0. -o names the files, as in out-%04d.png"},
     {"--frame", OPTION_text, 0, .set = set_frames},
-    HEADING("\nExit status: 0 fine, 1 a fault in a document or file, 2 wrong usage.\n"),
+    HEADING("\nExit status: 0 success, 1 error in a document or file, 2 wrong usage.\n"),
 };
 
 const char *command_read(Command *command, int argc, char **argv)
@@ -268,21 +266,21 @@ const char *command_check_scene(const Command *command, const Scene *scene)
 {
     if (command->contact || command->mesh || command->material || command->viewpoint ||
         command->shape || command->slot || command->preview.sky || command->param_count)
-        return "a scene has its own objects, materials and camera: it takes none of --shape, "
+        return "a scene has its own objects, materials and camera; it does not accept --shape, "
                "--mesh, --material, "
-               "--param, --camera, --slot, --pass, --contact";
+               "--param, --camera, --slot, --pass or --contact";
     if ((long)command->size * scene->height > (long)PNG_SIZE_LIMIT * scene->width)
-        return "--size: the picture would be higher than 16384 pixels";
+        return "--size: the image would be higher than 16384 pixels";
     if (command->compare &&
         ((command->view && !strcmp(command->view, "shadow")) || command->shadows != WORD_COUNT ||
          command->indirect != WORD_COUNT || command->frames.given || command->emit ||
          command->stats || command->format == PICTURE_FORMAT_exr || command->bits > 8))
-        return "--compare is one PNG of 8 bits, of all methods: it takes none of --view=shadow, "
+        return "--compare writes one 8-bit PNG of all methods; it does not accept --view=shadow, "
                "--shadows, --indirect, "
                "--frames, "
                "--frame, "
                "--stats, "
-               "--emit, --format=exr, --bits";
+               "--emit, --format=exr or --bits";
     return NULL;
 }
 
@@ -290,7 +288,7 @@ const char *command_check_material(const Command *command)
 {
     return command->shadows != WORD_COUNT || command->indirect != WORD_COUNT ||
                    command->frames.given || command->compare
-               ? "--shadows, --indirect, --compare and --frames are of scenes: a material has none"
+               ? "--shadows, --indirect, --compare and --frames only apply to scenes"
                : NULL;
 }
 
@@ -322,17 +320,17 @@ static const char *check_view(Command *command)
                                        : command->contact ? CELL
                                                           : EDGE;
     if (preview->sky && (command->slot || command->viewpoint))
-        return "--pass=sky has neither --slot nor --camera";
+        return "--pass=sky does not accept --slot or --camera";
     if (command->slot && (command->view || command->format == PICTURE_FORMAT_exr))
-        return "--slot shows a slot as one can look at it; --view its numbers, also as OpenEXR";
+        return "--slot writes a viewable PNG of a slot; use --view for its numbers, also as "
+               "OpenEXR";
     if (command->shape)
         shape_find(command->shape, &preview->shape);
     command->camera = camera_viewpoint_for(preview->shape);
     if (command->viewpoint && !camera_viewpoint_read(command->viewpoint, &command->camera))
         return option_fault_number(&command->words,
-                                   "--camera wants front, left, top, low, close, or "
-                                   "X,Y,Z[,X,Y,Z[,DEGREES]] that looks at something, and not "
-                                   "straight up or down",
+                                   "--camera expects front, left, top, low, close, or "
+                                   "X,Y,Z[,X,Y,Z[,DEGREES]] with a direction that is not vertical",
                                    command->viewpoint);
     preview->camera = &command->camera;
     return NULL;
@@ -348,15 +346,15 @@ static const char *check_endings(Command *command)
     const bool known = !command->output || picture_file_ending(command->output, &ends);
     if (!known && !named)
         return option_fault_number(&command->words,
-                                   "-o wants a name that ends in .png or .exr, or --format",
+                                   "-o expects a name that ends in .png or .exr, or --format",
                                    command->output);
     if (named && ends != command->format)
-        return option_fault_number(&command->words, "-o wants the ending of --format",
+        return option_fault_number(&command->words, "-o expects the extension of --format",
                                    command->output);
     command->format = ends;
     if (command->contact &&
         (!picture_file_ending(command->contact, &sheet) || sheet != PICTURE_FORMAT_png))
-        return option_fault_number(&command->words, "--contact wants a name that ends in .png",
+        return option_fault_number(&command->words, "--contact expects a name that ends in .png",
                                    command->contact);
     return NULL;
 }
@@ -365,9 +363,9 @@ static const char *check_format(const Command *command)
 {
     const bool exr = command->format == PICTURE_FORMAT_exr;
     if (command->bits && command->bits != 16 && command->bits != (exr ? 32 : 8))
-        return "--bits: 8 or 16 of a PNG, 16 or 32 of an EXR";
+        return "--bits: 8 or 16 for PNG, 16 or 32 for EXR";
     return command->contact && (exr || command->bits > 8)
-               ? "--contact: a contact sheet is a PNG of 8 bits"
+               ? "--contact: a contact sheet is an 8-bit PNG"
                : NULL;
 }
 
@@ -376,9 +374,8 @@ static const char *check_format(const Command *command)
 static const char *check_choices(Command *command)
 {
     if (command->compile.layout && !strcmp(command->compile.layout, "auto"))
-        return "--layout=auto is made of a set of materials, by matc -d; a picture is drawn by one "
-               "of the layouts that "
-               "matc --list=layouts shows";
+        return "--layout=auto needs a set of materials (matc -d); use one of the layouts of matc "
+               "--list=layouts";
     const char *fault = choice_fault(&command->words, &command->compile);
     Text option = text_new(&command->words);
     text_format(&option, "--%s", fault ? fault : "");
@@ -400,15 +397,15 @@ const char *command_check(Command *command)
     if (!command->input_count)
         return "no document";
     if (command->output && command->folder)
-        return "-o and -d exclude each other";
+        return "-o and -d are mutually exclusive";
     if (command->contact && (command->output || command->folder))
-        return "--contact excludes -o and -d";
+        return "--contact and -o or -d are mutually exclusive";
     for (int i = 0; i < command->input_count && command->watch; i++)
         if (!strcmp(command->inputs[i], "-"))
-            return "--watch wants files, not standard input";
+            return "--watch needs files, not standard input";
     if (command->watch && ((command->output && !strcmp(command->output, "-")) ||
                            (command->contact && !strcmp(command->contact, "-"))))
-        return "--watch wants a file for its picture";
+        return "--watch needs an output file, not standard output";
     return command->output && command->input_count > 1 ? "several documents need -d, not -o" : NULL;
 }
 

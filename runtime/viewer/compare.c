@@ -50,10 +50,8 @@ static bool use_indirect(Comparison *c, Way way)
 static bool use_displacement(Comparison *c, Way way)
 {
     if (scene_displace_by(c->given, way.method) == SCENE_DISPLACED_failed)
-        return gl_fail(
-            c->gl,
-            "displacement by %s takes too many triangles, operations, or more memory than there is",
-            scene_displace_name(way.method));
+        return gl_fail(c->gl, "displacement by %s needs too many triangles, operations or memory",
+                       scene_displace_name(way.method));
     c->scene = *c->given;
     return true;
 }

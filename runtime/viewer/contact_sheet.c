@@ -20,7 +20,7 @@ enum {
 };
 
 const char contact_sheet_too_large[] =
-    "the contact sheet is larger than 16384 pixels; --size makes its pictures smaller";
+    "the contact sheet is larger than 16384 pixels; reduce its cells with --size";
 
 /* Uses the lower bound of contact_sheet_columns(): the square root of the count. */
 bool contact_sheet_has_capacity(const ContactSheet *sheet)
@@ -102,7 +102,7 @@ static void draw_cell(const PngPicture *picture, const ContactSheet *sheet,
 const char *contact_sheet_draw(const ContactSheet *sheet, PngPicture *picture)
 {
     if (!sheet->count)
-        return "there is no picture for the contact sheet";
+        return "the contact sheet has no image";
     const int columns = contact_sheet_columns(sheet->count),
               rows = (sheet->count + columns - 1) / columns;
     const long across = sheet->width + GAP,

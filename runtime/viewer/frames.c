@@ -24,7 +24,7 @@ const char *frames_read(const char *text, Frames *frames)
     end = end && *end == '-' ? read_number(end + 1, &frames->last) : NULL;
     return end && !*end && frames->last >= first
                ? NULL
-               : "--frames wants a number from 1, or two from 0 as 10-19";
+               : "--frames expects a number from 1 on, or a range such as 10-19";
 }
 
 const char *frames_read_one(const char *text, Frames *frames)
@@ -32,7 +32,7 @@ const char *frames_read_one(const char *text, Frames *frames)
     *frames = (Frames){.given = true};
     const char *end = read_number(text, &frames->first);
     frames->last = frames->first;
-    return end && !*end ? NULL : "--frame wants a number from 0";
+    return end && !*end ? NULL : "--frame expects a number from 0 on";
 }
 
 const char *frames_check(const Scene *scene, Frames *frames, char reason[FRAMES_CAPACITY])
@@ -40,7 +40,7 @@ const char *frames_check(const Scene *scene, Frames *frames, char reason[FRAMES_
     if (!frames->given)
         return NULL;
     if (!scene->motion.frames)
-        return "--frames and --frame want a scene with a `motion:`";
+        return "--frames and --frame need a scene with `motion:`";
     frames->whole = frames->whole ? frames->whole : scene->motion.frames;
     if (frames->last < frames->whole)
         return NULL;

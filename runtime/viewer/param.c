@@ -51,7 +51,7 @@ const char *param_read(const char *text, Param *param, char reason[PARAM_CAPACIT
     const char *equal = strchr(text, '=');
     size_t size = equal ? (size_t)(equal - text) : 0;
     if (!size || !equal[1])
-        return "--param wants name=value";
+        return "--param expects name=value";
     if (size >= PARAM_NAME)
         return "--param: the name is too long";
     *param = (Param){0};

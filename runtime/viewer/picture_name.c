@@ -24,7 +24,8 @@ const char *picture_name_claim(PictureOwners *owners, const char *path, const ch
         return NULL;
     if (found >= 0) {
         Text why = text_new(&owners->arena);
-        text_format(&why, "this picture was drawn from %s; -d with another folder keeps both",
+        text_format(&why,
+                    "this image was rendered from %s; use -d with another folder to keep both",
                     owners->inputs[found]);
         return why.at;
     }
@@ -61,5 +62,5 @@ const char *picture_name_frame(const Command *command, const char *input, int fr
     picture_name_path(command, name, pattern);
     return frames_path(pattern, frame, path, PICTURE_NAME_PATH)
                ? NULL
-               : "-o wants a place for the frame's number: out-%04d.png";
+               : "-o needs a placeholder for the frame number: out-%04d.png";
 }

@@ -12,11 +12,11 @@ uniform usampler2D matc_gbuffer1;
 #define SURFACE_NORMALS_eye
 struct Surface {
     vec3 normal; // Shading normal in eye space, unit length.
-    vec3 diffuse; // Diffuse colour.
-    vec3 specular; // Specular colour.
+    vec3 diffuse; // Diffuse color.
+    vec3 specular; // Specular color.
     float shininess; // Phong exponent of the specular lobe.
-    vec3 transparency; // Transparency, with alpha taken in: 1 + alpha (c - 1).
-    vec3 diffuseTransparency; // Colour of diffusely transmitted light.
+    vec3 transparency; // Transparency, including alpha: 1 + alpha (c - 1).
+    vec3 diffuseTransparency; // Color of diffusely transmitted light.
 };
 
 // Inverse of encodeOctahedral: a unit vector for any e in [-1, 1]^2. The length before normalize()

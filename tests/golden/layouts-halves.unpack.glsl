@@ -11,10 +11,10 @@ uniform sampler2D matc_gbuffer1;
 #define SURFACE_NORMALS_eye
 struct Surface {
     vec3 normal; // Shading normal in eye space, unit length.
-    vec3 diffuse; // Diffuse colour.
-    vec3 specular; // Specular colour.
+    vec3 diffuse; // Diffuse color.
+    vec3 specular; // Specular color.
     float shininess; // Phong exponent of the specular lobe.
-    vec3 emissive; // Light that the surface sends out.
+    vec3 emissive; // Light that the surface emits.
 };
 
 // Inverse of halfFromCode: an integer in [0, 61439] for any value. Comparisons find the exponent;

@@ -7,7 +7,7 @@ uniform usampler2D matc_gbuffer0;
 #define SURFACE_NORMALS_eye
 struct Surface {
     vec3 normal; // Shading normal in eye space, unit length.
-    vec3 diffuse; // Diffuse colour.
+    vec3 diffuse; // Diffuse color.
 };
 
 // Inverse of encodeOctahedral: a unit vector for any e in [-1, 1]^2. The length before normalize()

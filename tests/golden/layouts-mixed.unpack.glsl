@@ -16,15 +16,15 @@ uniform usampler2D matc_gbuffer0;
 #define SURFACE_NORMALS_eye
 struct Surface {
     vec3 normal; // Shading normal in eye space, unit length.
-    vec3 diffuse; // Diffuse colour.
-    vec3 specular; // Specular colour.
+    vec3 diffuse; // Diffuse color.
+    vec3 specular; // Specular color.
     float shininess; // Phong exponent of the specular lobe.
-    vec3 transparency; // Transparency, with alpha taken in: 1 + alpha (c - 1).
+    vec3 transparency; // Transparency, including alpha: 1 + alpha (c - 1).
     float transparencyShininess; // Phong exponent of the transmitted lobe.
-    float interpolatedTransparency; // 1 when transparency replaces diffuse and specular, 0 when it adds to them.
-    vec3 diffuseTransparency; // Colour of diffusely transmitted light.
-    vec3 ambient; // Colour that ambient light is multiplied with.
-    vec3 emissive; // Light that the surface sends out.
+    float interpolatedTransparency; // 1 if transparency replaces diffuse and specular, 0 if it adds to them.
+    vec3 diffuseTransparency; // Color of diffusely transmitted light.
+    vec3 ambient; // Factor on ambient light.
+    vec3 emissive; // Light that the surface emits.
     float ior; // Ratio of the indices of refraction.
 };
 

@@ -332,9 +332,11 @@ static void wrong_compile(void)
     MatcOptions options = of.options;
     assert_not_compiled(matc_compile(NULL, 0, MATC_FRAGMENT, NULL), "'document' is NULL");
     assert_not_compiled(matc_compile(NULL, -1, UINT_MAX, &of.unset), "matc_options_init");
-    assert_not_compiled(matc_compile(of.faulty, 0, MATC_FRAGMENT, NULL), "there is no material 0");
-    assert_not_compiled(matc_compile(of.fine, 0, 1u << 17, &of.options), "none of MatcOutput");
-    assert_not_compiled(matc_compile(of.fine, 0, UINT_MAX, &of.options), "none of MatcOutput");
+    assert_not_compiled(matc_compile(of.faulty, 0, MATC_FRAGMENT, NULL), "no material 0");
+    assert_not_compiled(matc_compile(of.fine, 0, 1u << 17, &of.options),
+                        "not values of MatcOutput");
+    assert_not_compiled(matc_compile(of.fine, 0, UINT_MAX, &of.options),
+                        "not values of MatcOutput");
     options.pass = "passes";
     assert_not_compiled(matc_compile(of.fine, 0, MATC_FRAGMENT, &options), "pass");
     options = of.options;
@@ -345,8 +347,7 @@ static void wrong_compile(void)
     options.member_count = 3000;
     assert_not_compiled(matc_compile(of.fine, 0, MATC_FRAGMENT, &options), "3000 members");
     for (int i = 0; i < OUTSIDE; i++)
-        assert_not_compiled(matc_compile(of.fine, outside[i], MATC_FRAGMENT, NULL),
-                            "there is no material");
+        assert_not_compiled(matc_compile(of.fine, outside[i], MATC_FRAGMENT, NULL), "no material");
 }
 
 static void wrong_emit(void)
@@ -355,7 +356,7 @@ static void wrong_emit(void)
     assert_false(matc_emit(NULL, MATC_FRAGMENT));
     assert_false(matc_emit(of.failed, MATC_FRAGMENT));
     assert_false(matc_emit(p, 1u << 31));
-    assert_says(matc_program_diagnostics(p, MATC_TEXT), "none of MatcOutput");
+    assert_says(matc_program_diagnostics(p, MATC_TEXT), "not values of MatcOutput");
     matc_program_free(p);
 }
 

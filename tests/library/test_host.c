@@ -519,20 +519,20 @@ static void refused(void **state)
     const double nothing[16] = {NAN}, origin[3] = {0};
     assert_null(matc_renderer_open(&(MatcRendererOptions){.load = load}, error, sizeof error));
     assert_string_equal(error,
-                        "MatcRendererOptions.size is 0: it is to be sizeof(MatcRendererOptions)");
+                        "MatcRendererOptions.size is 0; it must be sizeof(MatcRendererOptions)");
     assert_null(
         matc_renderer_open(&(MatcRendererOptions){.size = sizeof(size_t)}, error, sizeof error));
     assert_string_equal(error, "no function that loads is given");
     assert_null(matc_renderer_open(
         &(MatcRendererOptions){sizeof(MatcRendererOptions), load, h.owner, NULL, "deep", 0, 0},
         error, sizeof error));
-    assert_non_null(strstr(error, "there is no view 'deep'"));
+    assert_non_null(strstr(error, "unknown view 'deep'"));
     assert_false(matc_renderer_frame(h.render));
     assert_false(matc_renderer_set_object(h.render, 0, nothing));
-    assert_string_equal(matc_renderer_error(h.render), "there is no scene to change");
+    assert_string_equal(matc_renderer_error(h.render), "no scene to change");
     assert_true(matc_renderer_set_scene(h.render, h.scene));
     assert_false(matc_renderer_set_object(h.render, 2, nothing));
-    assert_string_equal(matc_renderer_error(h.render), "there is no object 2");
+    assert_string_equal(matc_renderer_error(h.render), "no object 2");
     assert_false(matc_renderer_set_object(h.render, 1, nothing));
     assert_string_equal(matc_renderer_error(h.render), "the matrix has what is no number");
     assert_false(matc_renderer_set_camera(h.render, origin, origin, origin));
@@ -543,7 +543,7 @@ static void refused(void **state)
     assert_false(matc_renderer_set_param(h.render, 0, "paints", (float[3]){0}, 3));
     assert_as_own(&h, text); /* none of it changed anything */
     assert_null(matc_scene_read("m.yaml", "material: Phong\n", 16, NULL, &document));
-    assert_non_null(strstr(matc_diagnostics(document, MATC_TEXT), "the document is no scene"));
+    assert_non_null(strstr(matc_diagnostics(document, MATC_TEXT), "the document is not a scene"));
     matc_document_free(document);
     close_host(&h);
 }

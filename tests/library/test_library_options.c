@@ -85,7 +85,7 @@ static void unknown_values_are_refused(void **state)
         assert_string_equal(matc_options_fault(&options), option);
         MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT, &options);
         char want[512];
-        snprintf(want, sizeof want, "error: %s: there is no '%s', but %s", option, value,
+        snprintf(want, sizeof want, "error: %s: unknown value '%s'; expected %s", option, value,
                  named_options[i / 5].values);
         assert_false(matc_ok(program));
         if (!strstr(matc_program_diagnostics(program, MATC_TEXT), want))

@@ -214,8 +214,7 @@ static void faulty_documents(void **state)
         assert_null(matc_material_name(d, 0));
         MatcProgram *p = matc_compile(d, 0, MATC_FRAGMENT, NULL);
         query_failed(p);
-        assert_reports(matc_program_diagnostics(p, MATC_TEXT),
-                       "there is no material 0: the document has 0");
+        assert_reports(matc_program_diagnostics(p, MATC_TEXT), "no material 0: the document has 0");
         matc_program_free(p);
         matc_document_free(d);
     }

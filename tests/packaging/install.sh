@@ -114,7 +114,7 @@ check "draws by it" "$work/build/engine" "$work/frame.png"
 
 # Faults keep what was there
 sed -i 's/map: Leopard/map: Leopart/' "$engine/materials/jaguar.yaml"
-fails() { ! make_it && grep -q "no map is called 'Leopart'" "$work/said"; }
+fails() { ! make_it && grep -q "unknown map 'Leopart'" "$work/said"; }
 check "a fault ends the build" fails
 check "and nothing is written" changed
 sed -i 's/map: Leopart/map: Leopard/' "$engine/materials/jaguar.yaml"

@@ -24,7 +24,7 @@ $fast - <$example | sed "s/<stdin>:/$(basename $example):/" >"$work/d.frag"
 check "standard input" same "$work/a.frag" "$work/d.frag"
 check "validates" status 0 "$matc" $example -o "$work/a.frag"
 
-# A transform and a turbulence over one another: each has three lanes, which all come from three lanes of the one below
+# A transform and a turbulence over one another: each has three components, which all come from three components of the one below
 {
     echo 'defs:'
     echo '  k0: { map: XYZTransform, transform: { rotation: [0.1, 0.2, 0.3] } }'
@@ -62,15 +62,15 @@ done
 
 check "no document is wrong usage" status 2 "$matc"
 check "an unknown option is wrong usage" status 2 "$matc" --frobnicate $example
-check "and is quoted" says "there is no option '--frobnicate'; see"
+check "and is quoted" says "unknown option '--frobnicate'; see"
 check "a misspelt one" status 2 "$matc" --tarket=glsl330 $example
-check "is guessed" says "there is no option '--tarket'; did you mean '--target'?"
+check "is guessed" says "unknown option '--tarket'; did you mean '--target'?"
 check "a flag with a value" status 2 "$matc" --watch=yes $example
 check "is told" says '--watch takes no value'
 check "an option without its value" status 2 "$matc" $example --aa
-check "lists the values" says '--aa wants a value: auto, none, box, aniso'
+check "lists the values" says '--aa expects a value: auto, none, box, aniso'
 check "--cases without its value" status 2 "$matc" $example --cases
-check "lists the values, too" says '--cases wants a value: used, all; see'
+check "lists the values, too" says '--cases expects a value: used, all; see'
 for wrong in "--target=gls330 glsl330" "--pass=gbufer gbuffer" "--slot=difuse diffuse" "--layout=compct compact" "--precision=exakt exact" \
     "--noise=latice lattice" "--constants=unifrom uniform" "--aa=boxx box" "--emit=glls glsl" "--diagnostics=jsn json" "--schema=layot layout" \
     "--gl=egll egl" "--list=map maps" "--explain=Cheker Checker" "--material=checkr checker" "--powers=sqaring squaring"; do
@@ -79,12 +79,12 @@ for wrong in "--target=gls330 glsl330" "--pass=gbufer gbuffer" "--slot=difuse di
     check "is quoted, and the right one guessed" says "'$value'.*; did you mean '${wrong#* }'"
 done
 check "and what there is is listed" status 2 $fast --target=hlsl $example
-check "by name" says "target: there is no 'hlsl', but glsl110, glsl330, glsl450, essl300, spirv"
-for wrong in "-O5 5 but 0, 1, 2; see" "--eval=u=x x is no number: a point" "--eval=w=3 w but px, py, .*, ior, ex, .*, time, objectRandom, front; see" "--eval=fornt=1 fornt but .*; did you mean 'front'" \
-    "--eval=u u is no channel=number" "-Wno-foo foo but unquoted_color, .*, flat_displacement; see"; do
+check "by name" says "target: unknown value 'hlsl'; expected glsl110, glsl330, glsl450, essl300, spirv"
+for wrong in "-O5 5 expected 0, 1, 2; see" "--eval=u=x x is not a number; a point" "--eval=w=3 w expected px, py, .*, ior, ex, .*, time, objectRandom, front; see" "--eval=fornt=1 fornt expected .*; did you mean 'front'" \
+    "--eval=u u is not channel=number" "-Wno-foo foo expected unquoted_color, .*, flat_displacement; see"; do
     what=${wrong#* }
     check "a word: ${wrong%% *}" status 2 $fast "${wrong%% *}" $example -o "$work/none.frag"
-    check "is quoted, with what there is" says "'${what%% *}',\{0,1\} ${what#* }"
+    check "is quoted, with what there is" says "'${what%% *}'[,;]\{0,1\} ${what#* }"
 done
 for wrong in -j0 --cache-limit=none --max-error=x --range=-1 --layout-error=2; do
     check "a number: $wrong" status 2 $fast -d "$work/none" "$wrong" $example
@@ -100,7 +100,7 @@ check "the list of all" test "$("$matc" --list | wc -l)" -gt 150
 check "--layout" status 0 $fast --layout=compact $example
 check "writes words" prints 'out uvec4 fragment0'
 check "whole numbers are not for GLSL 1.10" status 1 $fast --layout=integer --target=glsl110 $example
-check "and it says so" says 'layout integer packs whole numbers, which glsl110 does not have'
+check "and it says so" says 'layout integer needs integer render targets, which glsl110 does not support'
 check "an unknown layout is wrong usage" status 2 "$matc" --layout=wide $example
 check "an unknown target is wrong usage" status 2 "$matc" --target=hlsl $example
 check "its name is said" says 'target'
@@ -147,7 +147,7 @@ check "says nothing" test ! -s "$work/stderr"
 check "unless it is named" status 0 $fast -Wlinear_colors "$work/hex.yaml" -d "$work/hexes"
 check "says so" says 'note: '
 check "a warning that is none is wrong usage" status 2 $fast -Wno-unquoted_colour "$work/doubtful.yaml"
-check "which suggests" says "^matc: -W: there is no 'unquoted_colour', but unquoted_color, .*; did you mean 'unquoted_color'"
+check "which suggests" says "^matc: -W: unknown value 'unquoted_colour'; expected unquoted_color, .*; did you mean 'unquoted_color'"
 # Whatever is wrong, standard error is nothing but JSON
 is_json() { grep -q . "$work/stderr" && ! grep -vE '^(\[|\]| \{"severity": .*"message": ".*\},?)$' "$work/stderr" >&2; }
 printf 'materials: { a: { material: Phong }, b: { material: Phong } }\n' >"$work/several.yaml"
@@ -203,7 +203,7 @@ printf 'defs: { paint: "#804020" }\n' >"$work/palette.yaml"
 printf 'include: palette.yaml\nmaterial: Phong\ndiffuse: { ref: paint }\n' >"$work/painted.yaml"
 printf '%s\n' "$work/palette.yaml" "$work/painted.yaml" >"$work/list"
 check "definitions among documents" status 0 $fast -d "$work/painted" "$work/palette.yaml" "$work/painted.yaml"
-check "are told" says 'palette.yaml:1:1: note: there are definitions only'
+check "are told" says 'palette.yaml:1:1: note: the document only contains definitions'
 check "and make no file" only "$work/painted" manifest.json painted.frag
 check "of a list, too" status 0 $fast -d "$work/painted" "@$work/list" --cache "$work/painted.cache"
 check "and out of a cache" status 0 $fast -d "$work/painted" "@$work/list" --cache "$work/painted.cache"
@@ -281,7 +281,7 @@ check "with its parameters" grep -q '"amount": {"description": "How much is rust
 check "--explain NAME FILE" status 0 "$matc" --explain rust "$work/rust.yaml"
 check "is its page" grep -q "^  amount  *number  *0.5  *0 to 1  *How much is rusty." "$work/stdout"
 check "of none" status 2 "$matc" --explain rusty "$work/rust.yaml"
-check "is told, too" says "nothing is called 'rusty'"
+check "is told, too" says "unknown name 'rusty'"
 
 check "--textures" status 0 $fast --noise=groimp --textures "$work" examples/granite.yaml -o /dev/null
 check "writes the tables" test -s "$work/matc_permutation.ktx" -a -s "$work/matc_random.ktx"
@@ -329,12 +329,12 @@ check "with its name" grep -q "$layout" "$work/own/manifest.d"
 check "--explain of a file" status 0 "$matc" --explain $layout
 check "shows its fields" prints '0.r 24-31  diffuse.r'
 check "a layout that is none" status 1 $fast --layout=$example $example
-check "says so" says 'a layout is an object'
+check "says so" says 'a layout must be an object'
 check "a layout that is not there" status 1 $fast --layout=./nothing $example
 check "says why" says 'nothing: No such file'
 check "an unknown layout" status 2 $fast --layout=nothing $example
 check "words in old GLSL" status 1 $fast --target=glsl110 --layout=$layout $example
-check "are told" says 'layout lambert packs whole numbers'
+check "are told" says 'layout lambert needs integer render targets'
 check "--emit=layout" status 0 $fast --emit=layout --layout=integer $example -o "$work/integer.yaml"
 check "reads back" status 0 "$matc" --explain "$work/integer.yaml"
 cp "$work/stdout" "$work/page" && "$matc" --explain integer >"$work/builtin"
@@ -347,7 +347,7 @@ check "of a mixed set" status 0 $fast --layout=auto --stats -d "$work/mixed" --e
 check "has cases" says '^16 bytes a pixel in 4 cases for 11 materials; one case would take 28'
 check "that it names" says '^1 .*normal, diffuse, specular, shininess, emissive$'
 check "too much for each of them" status 1 $fast --layout="$work/mixed/auto.layout.yaml" examples/materials/phong.yaml
-check "is told" says 'layout auto has no case that stores all that this material has: diffuse, specular'
+check "is told" says 'layout auto has no case that stores all slots of this material: diffuse, specular'
 check "of one material" status 0 $fast --layout=auto $example -o "$work/one.frag"
 check "with an error" status 0 $fast --layout=auto --layout-error=0.01 --emit=layout $example -o "$work/coarse.yaml"
 check "that counts" grep -q 'slot: diffuse, encoding: [a-z]*, bits: [1-6]' "$work/coarse.yaml"

@@ -51,7 +51,7 @@ check "a program that is no longer made goes" test ! -e "$work/foreign/was.frag"
 check "somebody's file stays" test "$(cat "$work/foreign/mine.frag")" = mine
 check "an edited one, too" test -s "$work/foreign/edited.frag"
 check "and a link" test -L "$work/foreign/link.frag"
-for name in mine edited link; do check "which is said of $name" says "$name.frag: it is no longer made, but it is not as matc wrote it"; done
+for name in mine edited link; do check "which is said of $name" says "$name.frag: it is obsolete, but is kept because it was changed"; done
 check "once" test "$(wc -l <"$work/stderr")" = 3
 
 # A layout is written by one run and read by the next

@@ -96,7 +96,7 @@ for form in text json; do
     done
 done
 check "a fault" status 1 $fast "$work/$(printf 'one\033').yaml"
-check "shows them escaped" says 'one\\x1b.yaml:2:17: error: no map is called .Che\\x1b\\x1f\\xc2\\x9b\\x7fker'
+check "shows them escaped" says 'one\\x1b.yaml:2:17: error: unknown map .Che\\x1b\\x1f\\xc2\\x9b\\x7fker'
 check "in JSON" status 1 $fast --diagnostics=json "$work/$(printf 'one\033').yaml"
 check "as JSON does" says 'Che\\u001b\\u001f\\u009b\\u007fker'
 printf 'material: Phong # \033\037\ndiffuse: "\t\303\244\033 \033" # \033\n' >"$work/caret.yaml"

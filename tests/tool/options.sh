@@ -23,7 +23,7 @@ auto="$fast --layout=auto --emit=layout -o $work/layout.yaml $example"
 for error in 0 -0 -0.1 -0.5 0.5000001 0.51 0.6 1 5 inf -inf nan -nan 1e999 1e-999 0.1x x '' 0,1; do
     rm -f "$work/layout.yaml"
     check "--layout-error=$error is wrong usage" status 2 $auto --layout-error="$error"
-    check "and it is said" says '--layout-error wants a number above 0, of at most 0.5'
+    check "and it is said" says '--layout-error expects a number above 0, at most 0.5'
     check "nothing is written" test ! -e "$work/layout.yaml"
     check "nor by a batch" status 2 $fast --layout=auto -d "$work/none" --layout-error="$error" $example
 done
@@ -147,7 +147,7 @@ check "a scene with a fault" status 1 $fast "$work/scene.yaml"
 check "is not called definitions" test "$(grep -c -e note: "$work/stderr")" = 0
 printf 'lights: [{ light: Point }]\nobjects: []\n' >"$work/scene.yaml"
 check "a scene without one" status 1 $fast "$work/scene.yaml"
-check "is called a scene" says 'note: this is a scene, which matview draws'
+check "is called a scene" says 'note: this is a scene; draw it with matview'
 printf 'include: none.yaml\nmaterial: Phong\ndiffuse: { ref: a }\nspecular: { ref: b }\n' >"$work/lacks.yaml"
 check "what a file that is not there would define" status 1 $fast "$work/lacks.yaml"
 check "is not asked for again" test "$(grep -c error: "$work/stderr")" = 1

@@ -40,12 +40,12 @@ for file in passwd settings daemon.yaml daemon.json; do
         for form in text json; do
             check "$path is no document" status 1 compile --diagnostics=$form
             check "$path is not quoted ($form)" is_secret
-            check "which is said at its name ($form)" grep -q 'is no document' "$work/stderr"
+            check "which is said at its name ($form)" grep -q 'is not a document' "$work/stderr"
         done
     done
 done
 
-# -- what lies outside is not read
+# -- what lies outside is ignored
 
 picture="material: Phong\ndiffuse: { map: ImageMap, image: PATH }"
 include="include: PATH\nmaterial: Phong\ndiffuse: { ref: paint }"
@@ -61,16 +61,16 @@ for path in ../../outside/paint.yaml "$work/outside/paint.yaml" ../leads-out.yam
     document "$(fill "$include" "$path")"
     check "$path without --root" status 0 compile
     check "$path with --root" status 1 compile --root="$work/root"
-    check "is outside" says "document.yaml:1:10: error: .*it lies outside the root folder"
+    check "is outside" says "document.yaml:1:10: error: .*it is outside the root folder"
     check "$path in a batch" status 1 "$matc" --root="$work/root" -d "$work/batch" "$work/root/below/document.yaml"
-    check "is outside, too" says 'it lies outside the root folder'
+    check "is outside, too" says 'it is outside the root folder'
     check "and from the cache" status 0 "$matc" --cache "$work/cache" -d "$work/batch" "$work/root/below/document.yaml"
     check "of a run without --root" status 1 "$matc" --cache "$work/cache" --root="$work/root" -d "$work/batch" "$work/root/below/document.yaml"
 done
 for path in ../../outside/absent.yaml ../folder/../../outside/paint.yaml; do
     document "$(fill "$include" "$path")"
     check "$path with --root" status 1 compile --root="$work/root"
-    check "does not say whether it is there" says 'it lies outside the root folder'
+    check "does not say whether it is there" says 'it is outside the root folder'
 done
 document "$(fill "$include" ../paint.yaml)"
 for root in "$work/root" "$work/root/" "$work/by-link" "$work/outside/../root" /; do
@@ -100,7 +100,7 @@ for path in ../../outside/mesh.obj ../folder/mesh.obj; do
     document "$(fill "$mesh" "$path")"
     check "mesh $path without --root" status 0 draw
     check "mesh $path with --root" status 1 draw --root="$work/root"
-    check "is outside" says 'it lies outside the root folder'
+    check "is outside" says 'it is outside the root folder'
 done
 document "$(fill "$mesh" ../mesh.obj)"
 check "a mesh below" status 0 draw --root="$work/root"

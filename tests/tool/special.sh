@@ -20,9 +20,9 @@ for kind in zero null full random; do
 done
 for kind in pipe folder zero null full random; do
     case $kind in
-    pipe) why='it is a pipe' && named='nothing comes out of this pipe' ;;
+    pipe) why='the file is a pipe' && named='the pipe has no data' ;;
     folder) why='Is a directory' && named=$why ;;
-    *) why='it is a device' && named=$why ;;
+    *) why='the file is a device' && named=$why ;;
     esac
     printf 'material: Phong\ninclude: %s.yaml\n' $kind >"$work/include.yaml"
     printf 'material: Phong\ndiffuse: { map: ImageMap, image: %s.png }\n' $kind >"$work/picture.yaml"
@@ -98,19 +98,19 @@ else
     skipped=77
 fi
 check "endless standard input" status 1 $fast - </dev/zero
-check "is too large" says 'it is too large'
+check "is too large" says 'the file is too large'
 cat /dev/zero | timeout 20 "$matc" /dev/stdin 2>"$work/stderr"
-check "by its name too" says 'it is too large'
+check "by its name too" says 'the file is too large'
 
 # -- a zero byte, which would end the path
 
 for way in "-o $work/none.frag" "-d $work/none"; do
     printf 'material: Phong\ninclude: "none.yaml\\0x"\n' >"$work/zero1.yaml"
     check "a path with a zero byte" status 1 $fast "$work/zero1.yaml" $way
-    check "has a place" says 'zero1.yaml:2:10: error: a text with a zero byte'
+    check "has a place" says 'zero1.yaml:2:10: error: a string must not contain a zero byte'
     printf '{"material": "Phong", "diffuse": {"map": "ImageMap", "image": "none.png\\u0000x"}}' >"$work/zero2.json"
     check "of a picture, in JSON" status 1 $fast "$work/zero2.json" $way
-    check "has a place" says 'zero2.json:1:63: error: a text with a zero byte'
+    check "has a place" says 'zero2.json:1:63: error: a string must not contain a zero byte'
     printf 'material: Phong\n"diffuse\\0": 1\n' >"$work/zero3.yaml"
     check "a key" status 1 $fast "$work/zero3.yaml" $way
     check "too" says 'zero3.yaml:2:1: error: '

@@ -33,7 +33,7 @@ static void hear(void *user, const char *text)
 {
     Change *change = user;
     change->reported +=
-        strstr(text, change->path) && strstr(text, "it changed while it was compiled");
+        strstr(text, change->path) && strstr(text, "the file changed while it was compiled");
 }
 
 static bool run_changing(const BatchSet *set, Change *change, BatchResult *result)

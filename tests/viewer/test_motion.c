@@ -111,7 +111,7 @@ static void faults(void **state)
         const char *text, *reported;
     } cases[] = {
         {"motion: { motion: Turntabel }\n",
-         "1:19: error: no motion is called 'Turntabel'; did you mean 'Turntable'?"},
+         "1:19: error: unknown motion 'Turntabel'; did you mean 'Turntable'?"},
         {"motion: { motion: Turntable, frames: 0 }\n", "1:38: error: frames"},
         {"motion: { motion: Turntable, axis: [0, 0, 0] }\n", "1:36: error: axis has no direction"},
         {"motion: { motion: Path }\n", "1:9: error: a path has two keys or more"},

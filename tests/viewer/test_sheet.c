@@ -106,7 +106,7 @@ static void what_cannot_be_is_reported(void **state)
     (void)state;
     ContactSheet sheet = {.width = 6000, .height = 6000};
     PngPicture picture;
-    assert_non_null(strstr(contact_sheet_draw(&sheet, &picture), "no picture"));
+    assert_non_null(strstr(contact_sheet_draw(&sheet, &picture), "no image"));
     for (int i = 0; i < 3; i++)
         add(&sheet, "large", 0, 0);
     assert_non_null(strstr(contact_sheet_draw(&sheet, &picture), "larger than 16384"));

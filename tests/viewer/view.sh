@@ -18,7 +18,7 @@ mkdir "$work/one" "$work/other"
 cp $example "$work/one/same.yaml"
 cp examples/wood.yaml "$work/other/same.yaml"
 check "two documents of one name into one folder" status 1 $draw -d "$work/drawn" "$work/one/same.yaml" "$work/other/same.yaml"
-check "are told apart" says "drawn/same.png: this picture was drawn from .*one/same.yaml"
+check "are told apart" says "drawn/same.png: this image was rendered from .*one/same.yaml"
 check "the first is kept" status 0 $draw -o "$work/first.png" "$work/one/same.yaml"
 check "as it was drawn" cmp -s "$work/first.png" "$work/drawn/same.png"
 check "a document twice" status 0 $draw -d "$work/drawn" "$work/one/same.yaml" "$work/one/same.yaml"
@@ -67,11 +67,11 @@ for option in --shape=teapot --camera=behind --camera=0,0,5 --camera=1,2 --slot=
     check "and draws nothing" test ! -e "$work/none.png"
 done
 check "a value that no option has" status 2 $draw --aa=sharp $example -o "$work/none.png"
-check "is told from those that are" says "^matview: --aa: there is no 'sharp', but auto, none, box, aniso; see"
+check "is told from those that are" says "^matview: --aa: unknown value 'sharp'; expected auto, none, box, aniso; see"
 for wrong in "--shape=plan plane" "--slot=norml normal" "--gl=elg egl" "--edges=covrage coverage" "--format=pgn png" "--shadows=maps map" "--indirect=marsh march" \
     "--tools=grid,axis axes" "--emit=fram frame" "--transparency=list lists" "--lights=al all" "--shap=plane --shape"; do
     check "a misspelt word: ${wrong% *}" status 2 $draw "${wrong% *}" $example -o "$work/none.png"
-    check "is quoted, and the right one guessed" says "there is no .*'.*; did you mean '${wrong#* }'"
+    check "is quoted, and the right one guessed" says "unknown .*'.*; did you mean '${wrong#* }'"
 done
 for wrong in "--size=x not 'x'" "--samples=9 not '9'" "--bits=1 not '1'" "--memory=0 not '0'" "--camera=frnt not 'frnt'" "--watch=3 takes no value" \
     "--frames=x not 'x'" "--time=x not 'x'" "--frame=1-2 not '1-2'" "--contact=tea.exr not 'tea.exr'"; do
@@ -81,11 +81,11 @@ done
 check "a picture of another ending" status 2 $draw $example -o "$work/none.bmp"
 check "is told" says "ends in .png or .exr, or --format, not '.*none.bmp'"
 check "an ending that --format excludes" status 2 $draw --format=exr $example -o "$work/none.png"
-check "is told" says "the ending of --format, not '.*none.png'"
+check "is told" says "the extension of --format, not '.*none.png'"
 check "an ending of its own, with --format" status 0 $draw --format=png $example -o "$work/plain.part"
 check "is the picture" cmp -s "$work/plain.part" "$work/plain.png"
 check "an option without its value" status 2 $draw $example -o
-check "is told" says '^matview: -o wants a value;'
+check "is told" says '^matview: -o expects a value;'
 check "--slot of a layout without it" status 1 $draw --layout=compact --slot=ior $example -o "$work/none.png"
 check "says so" says 'the layout does not store that slot'
 
@@ -172,7 +172,7 @@ check "--stats" status 0 $scene --stats -o "$work/view.png"
 check "says what ran" says '^light *depth, gbuffer, shadow *light *[0-9][0-9.]*$'
 check "and is the same picture" same scene view
 check "--emit=frame" status 0 $scene --emit=frame
-check "says what would" grep -q '^plane *depth, gbuffer *depth, gbuffer *there is an infinite plane$' "$work/stdout"
+check "says what would" grep -q '^plane *depth, gbuffer *depth, gbuffer *the scene has an infinite plane$' "$work/stdout"
 check "16 bits" status 0 $scene --bits=16 -o "$work/deep.png"
 check "are said in the file" test "$(od -An -tu1 -j24 -N1 "$work/deep.png" | tr -d ' ')" = 16
 check "OpenEXR" status 0 $scene -o "$work/scene.exr"
@@ -215,10 +215,10 @@ check "samples" status 0 $scene --samples=3 -o "$work/view.png"
 check "are finer" differ scene view
 check "as many as there may be" status 2 $scene --samples=9 -o "$work/none.png"
 check "a view that there is not" status 1 $scene --view=deep -o "$work/none.png"
-check "is told" says "there is no view 'deep'"
+check "is told" says "unknown view 'deep'"
 printf 'objects: [{ object: Spere }]\n' >"$work/faulty.yaml"
 check "a scene with a fault" status 1 $matview "$work/faulty.yaml" -o "$work/none.png"
-check "is told with its place" says "faulty.yaml:1:21: error: no object is called 'Spere'; did you mean 'Sphere'?"
+check "is told with its place" says "faulty.yaml:1:21: error: unknown object 'Spere'; did you mean 'Sphere'?"
 check "and draws nothing" test ! -e "$work/none.png"
 
 # -- --contact
@@ -236,7 +236,7 @@ check "in one cell" test "$(wide "$work/sheet.png")" -lt 48
 rm "$work/sheet.png"
 printf 'material: Phong\ndiffuse: { map: Cheker }\n' >"$work/faulty.yaml"
 check "with a fault among the documents" status 1 $sheet $example "$work/faulty.yaml"
-check "which is told" says "no map is called"
+check "which is told" says "unknown map"
 check "there is none" test ! -e "$work/sheet.png"
 check "a contact sheet that no file can hold" status 1 timeout 20 "$matview" --size=16384 --contact="$work/large.png" $example $example
 check "is told before it is drawn" says 'larger than 16384'
@@ -266,7 +266,7 @@ check "one number for a colour" status 0 $draw --param=tint=0.3 "$work/before.ya
 check "of a param that is not there" status 1 $draw --param=hue=1 "$work/before.yaml" -o "$work/none.png"
 check "names those that are" says "no param 'hue'; it has tint, gloss"
 check "a colour for a number" status 1 $draw --param=gloss=#2040c0 "$work/before.yaml" -o "$work/none.png"
-check "says how many it takes" says "'gloss' takes 1 numbers, not 3"
+check "says how many it takes" says "'gloss' expects 1 numbers, not 3"
 check "a map" status 2 $draw --param='gloss={ map: Wood }' "$work/before.yaml" -o "$work/none.png"
 check "is no value" says 'no value of a param'
 check "nothing was drawn" test ! -e "$work/none.png"

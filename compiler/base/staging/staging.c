@@ -124,7 +124,7 @@ char *staging_read(const Staging *s, const char *name, const char **why)
     /* The target of a link counts, too. */
     bool special = !fstatat(s->folder, name, &info, 0) && !S_ISREG(info.st_mode);
     int file = special ? -1 : open_regular(s, name, &size);
-    *why = special                       ? "it is no regular file"
+    *why = special                       ? "it is not a regular file"
            : file < 0 && errno != ENOENT ? text_error(errno)
                                          : NULL;
     if (file < 0)

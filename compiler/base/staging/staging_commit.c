@@ -28,8 +28,8 @@
 enum { WAIT_NS = 5000000, MAX_WAITS = 6000 /* half a minute */, MAX_INTENTS = 64 << 20 };
 
 static const char list_name[] = "intents", draft_name[] = "intents.new";
-static const char damaged[] = "the list of an interrupted run, .matc-stage-*/intents, is damaged: "
-                              "remove that folder to go on";
+static const char damaged[] =
+    "the list of an interrupted run, .matc-stage-*/intents, is damaged; remove that folder";
 
 void intent_file(char name[STAGED_NAME], int number) { snprintf(name, STAGED_NAME, "%d", number); }
 
@@ -143,7 +143,7 @@ static const char *lock(int folder)
     for (int i = 0; flock(folder, LOCK_EX | LOCK_NB) && (errno == EWOULDBLOCK || errno == EINTR);
          i++) {
         if (i == MAX_WAITS)
-            return "another process writes there and does not end";
+            return "another process is writing there and does not finish";
         nanosleep(&(struct timespec){0, WAIT_NS}, NULL);
     }
     return NULL;

@@ -239,7 +239,7 @@ static bool settle(Displaced *d, Mesh *mesh)
     for (;;) {
         const bool fits = update(d);
         if (b->head[BISECTION_LOST])
-            return gl_fail(displaced_context(d), "bisection lost a neighbour");
+            return gl_fail(displaced_context(d), "bisection lost a neighbor");
         if (!fits && b->capacity < b->most) {
             if (!bisection_capacity(d, mesh, b->capacity < b->most / 2 ? 2 * b->capacity : b->most))
                 return false;

@@ -250,7 +250,7 @@ static bool pass_radiance_moved(Renderer *renderer, int first, int count)
 const FramePass pass_radiance = {
     .plan = {"radiance", .reads = FRAME_BIT(voxels) | FRAME_BIT(shadow),
              .fills = FRAME_BIT(radiance)},
-    .when = "indirect light comes from what is not shown; once, then it is kept",
+    .when = "indirect light uses off-screen surfaces; computed once, then cached",
     .needed = radiance_needed,
     .make = pass_radiance_make,
     .draw = pass_radiance_draw,

@@ -43,7 +43,7 @@ static bool pass_cubes_make(Renderer *renderer)
         .format = frame_format(renderer, FRAME_TARGET_cubes, 0),
         .compute = renderer->compute};
     if (level >= renderer->voxels->levels)
-        return gl_fail(renderer->gl, "there is no view '%s': of %d voxels the last is voxels%d",
+        return gl_fail(renderer->gl, "unknown view '%s': the last of %d voxels is voxels%d",
                        renderer->options.view, renderer->voxels->grid.size,
                        renderer->voxels->levels - 1);
     if (!screen_pass_make(renderer->store, &text, &renderer->voxels->view))

@@ -73,10 +73,11 @@ bool volume_shown_make(Renderer *renderer)
         return true;
     if (renderer->options.linear)
         return gl_fail(renderer->gl,
-                       "the view '%s' is the picture in other colours: as OpenEXR there is none",
+                       "view '%s' is a false-color image and cannot be written as OpenEXR",
                        renderer->look->name);
     if (!volume_lights_cast(renderer))
-        return gl_fail(renderer->gl, "there is no view '%s': no light casts hybrid shadows here",
+        return gl_fail(renderer->gl,
+                       "view '%s' is not available: no light of the scene casts hybrid shadows",
                        renderer->look->name);
     volume_state(renderer)->shown = calloc((size_t)count, sizeof *volume_state(renderer)->shown);
     if (!volume_state(renderer)->shown)

@@ -132,12 +132,12 @@ static void the_library_is_found(void **state)
         assert_true(says(text, hint));
         snprintf(text, sizeof text, "material: Phong\ndiffuse: { map: %s }\n", row->name);
         snprintf(hint, sizeof hint,
-                 "it is a definition, `{ ref: %s }`; it comes with matc: `include: %s`", row->name,
-                 row->file);
+                 "it is a definition, write `{ ref: %s }`; it comes with matc: `include: %s`",
+                 row->name, row->file);
         assert_true(says(text, hint));
         snprintf(text, sizeof text, "include: %s\nmaterial: Phong\ndiffuse: { map: %s }\n",
                  row->file, row->name);
-        snprintf(hint, sizeof hint, "'; it is a definition, `{ ref: %s }`\n", row->name);
+        snprintf(hint, sizeof hint, "'; it is a definition, write `{ ref: %s }`\n", row->name);
         assert_true(says(text, hint));
         char *page = matc_explain(row->name), *list = matc_list_of("library");
         snprintf(hint, sizeof hint, "include: %s", row->file);
@@ -147,7 +147,8 @@ static void the_library_is_found(void **state)
         free(page);
         free(list);
     }
-    assert_true(says("include: bricks\nmaterial: Phong\n", "; the file is called 'bricks.yaml'"));
+    assert_true(
+        says("include: bricks\nmaterial: Phong\n", "; did you mean the file 'bricks.yaml'?"));
     assert_true(says("include: brick.yaml\nmaterial: Phong\n", "; did you mean 'bricks.yaml'?"));
     assert_true(says("include: rustiness\nmaterial: Phong\n", "; 'rustiness' is in 'rust.yaml'"));
 }
@@ -157,7 +158,7 @@ static void keys_are_explained(void **state)
 {
     (void)state;
     static const char *const pages[][3] = {{"baseColor", "of Principled\n", "of other tools"},
-                                           {"objects", "of Scene\n", "What is seen."},
+                                           {"objects", "of Scene\n", "The visible objects."},
                                            {"transform", "of XYZTransform\n", "of Plane\n"},
                                            {"metallic", "of UsdPreview\n", "here it is metalness"},
                                            {"address", "  mirror ", "  border "},

@@ -360,7 +360,7 @@ static void units_hold_defaults(void **state)
     }
     assert_true(measured > 130);
     assert_true(unit_of(P_Principled_baseColor) == NULL);
-    assert_string_equal(unit_of(P_Principled_filmThickness)->name, "micrometres");
+    assert_string_equal(unit_of(P_Principled_filmThickness)->name, "micrometers");
     assert_true(fabs(unit_table[UNIT_radians].high - 2 * acos(-1)) < 1e-12);
 }
 

@@ -388,8 +388,8 @@ static void layouts_without_the_model_are_doubted(void **state)
             MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT, &options);
             const char *reported = matc_program_diagnostics(program, MATC_TEXT);
             const bool doubted =
-                strstr(reported, "has no place for roughness, reflectance, model: the "
-                                 "surface is lit as a Phong") != NULL;
+                strstr(reported, "cannot store roughness, reflectance, model: the "
+                                 "surface is shaded as a Phong") != NULL;
             assert_true(matc_ok(program));
             assert_int_equal(doubted, principled && layouts[i].doubted);
             assert_true(!doubted || strstr(reported, "test.yaml:1:11"));

@@ -59,10 +59,10 @@ static const UnitGroup groups[] = {
     {"turns", "degrees", -1, 1, 1. / 360,
      " HSV.hue Principled.anisotropyRotation StandardSurface.specular_rotation"
      " StandardSurface.coat_rotation "},
-    {"micrometres", "nanometres", 0, 10, 0.001, " Principled.filmThickness "},
-    {"nanometres", "", 0, 10000, 1,
+    {"micrometers", "nanometers", 0, 10, 0.001, " Principled.filmThickness "},
+    {"nanometers", "", 0, 10000, 1,
      " StandardSurface.thin_film_thickness glTF.iridescenceThickness "},
-    {"units of the world", "", -INFINITY, INFINITY, 1,
+    {"world units", "", -INFINITY, INFINITY, 1,
      " Principled.transmissionDepth Principled.subsurfaceRadius glTF.thicknessFactor"
      " glTF.attenuationDistance StandardSurface.transmission_depth"
      " StandardSurface.subsurface_radius *.displacement *.displacementVector"
@@ -145,8 +145,8 @@ static int count_unusual(const KindRow *kind, const char *param, double number,
     return count;
 }
 
-/* "angle is 7 radians, and usually from -6.283 to 6.283": borders to three digits behind the point.
- * */
+/* "angle is 7 radians, but is usually from -6.283 to 6.283": borders have three
+ * decimals. */
 static void assert_message(const char *message, const char *param, const UnitGroup *group,
                            double number)
 {
@@ -154,7 +154,7 @@ static void assert_message(const char *message, const char *param, const UnitGro
     snprintf(begin, sizeof begin, "%s is ", param);
     assert_int_equal(strncmp(message, begin, strlen(begin)), 0);
     assert_true(strtod(message + strlen(begin), &rest) == number);
-    snprintf(end, sizeof end, "%s%s, and usually from %.10g to %.10g", *group->name ? " " : "",
+    snprintf(end, sizeof end, "%s%s, but is usually from %.10g to %.10g", *group->name ? " " : "",
              group->name, round(group->low * 1000) / 1000, round(group->high * 1000) / 1000);
     assert_string_equal(rest, end);
 }
@@ -240,8 +240,8 @@ static const Hint hints[] = {
     {"Principled", "roughness", 101, NULL},
     {"Principled", "roughness", -50, NULL},
     {"Principled", "subsurfaceAnisotropy", -50, "; -50 percent are -0.5"},
-    {"Principled", "filmThickness", 550, "; 550 nanometres are 0.55"},
-    {"Principled", "filmThickness", 10000, "; 10000 nanometres are 10"},
+    {"Principled", "filmThickness", 550, "; 550 nanometers are 0.55"},
+    {"Principled", "filmThickness", 10000, "; 10000 nanometers are 10"},
     {"Principled", "filmThickness", 10001, NULL},
     {"Principled", "ior", 50, NULL},
     {"Principled", "emission", 20000, NULL},

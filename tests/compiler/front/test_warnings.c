@@ -154,9 +154,10 @@ static void advice_says_both_readings(void **state)
     const char *advice = strstr(reported, "a.yaml:2:10: note: "),
                *third = strstr(reported, "a.yaml:3:"), *fourth = strstr(reported, "a.yaml:4:");
     assert_non_null(advice);
-    assert_non_null(strstr(advice, "'#808080' is [0.502, 0.502, 0.502]; write `colors: srgb`"));
+    assert_non_null(strstr(advice, "'#808080' is [0.502, 0.502, 0.502]; if colors come from a "
+                                   "color picker, write `colors: srgb`"));
     assert_non_null(
-        strstr(advice, "[0.216, 0.216, 0.216], or else `colors: linear` [-Wlinear_colors]"));
+        strstr(advice, "[0.216, 0.216, 0.216], otherwise `colors: linear` [-Wlinear_colors]"));
     assert_true(advice < third && third < fourth);
     matc_document_free(document);
 }
@@ -204,7 +205,7 @@ static void advice_is_by_file(void **state)
     MatcDocument *document = matc_read("a.yaml", text, sizeof text - 1, &options);
     const char *reported = matc_diagnostics(document, MATC_TEXT);
     assert_int_equal(count(reported, "note: "), 1);
-    assert_non_null(strstr(reported, "palette.yaml:1:15: note: hex colours"));
+    assert_non_null(strstr(reported, "palette.yaml:1:15: note: hex colors"));
     matc_document_free(document);
 }
 
@@ -223,7 +224,7 @@ static void each_file_is_advised(void **state)
     for (int i = 0; i < 2; i++) {
         MatcDocument *document = matc_read("a.yaml", texts[i], strlen(texts[i]), &options);
         const char *reported = matc_diagnostics(document, MATC_TEXT);
-        assert_int_equal(count(reported, "note: hex colours"), 2);
+        assert_int_equal(count(reported, "note: hex colors"), 2);
         assert_non_null(strstr(reported, "palette.yaml:1:15: note: "));
         assert_non_null(strstr(reported, "a.yaml:4:"));
         matc_document_free(document);

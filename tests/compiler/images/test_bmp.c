@@ -127,19 +127,20 @@ static void faults(void **state)
         const char *why;
     } cases[] = {
         {{INFO, 2, 2, 8, 1, 4, NULL, palette, rows, 8},
-         "it is a compressed BMP: save it without compression"},
-        {{INFO, 2, 2, 4, 2, 4, NULL, palette, rows, 8}, "it is a compressed BMP"},
-        {{INFO, 2, 2, 0, 5, 0, NULL, NULL, rows, 8}, "it is a compressed BMP"},
-        {{INFO, 2, 2, 8, 3, 4, NULL, palette, rows, 8}, "it is a compressed BMP"},
-        {{INFO, 2, 2, 2, 0, 4, NULL, palette, rows, 8}, "a BMP of an unknown kind"},
-        {{INFO, 2, 2, 64, 0, 0, NULL, NULL, rows, 32}, "a BMP of an unknown kind"},
-        {{16, 2, 2, 24, 0, 0, NULL, NULL, rows, 16}, "a BMP of an unknown kind"},
-        {{INFO, 0, 2, 24, 0, 0, NULL, NULL, rows, 16}, "it has no texels"},
-        {{INFO, -2, 2, 24, 0, 0, NULL, NULL, rows, 16}, "it has no texels"},
-        {{INFO, 2, INT32_MIN, 24, 0, 0, NULL, NULL, rows, 16}, "it is too large"},
-        {{INFO, 20000, 2, 24, 0, 0, NULL, NULL, rows, 16}, "it is too large"},
-        {{INFO, 16384, 16384, 24, 0, 0, NULL, NULL, rows, 16}, "it ends too soon"},
-        {{INFO, 2, 2, 16, 3, 0, torn, NULL, rows, 8}, "the bits of a colour do not stand together"},
+         "compressed BMP is not supported; save it without compression"},
+        {{INFO, 2, 2, 4, 2, 4, NULL, palette, rows, 8}, "compressed BMP is not supported"},
+        {{INFO, 2, 2, 0, 5, 0, NULL, NULL, rows, 8}, "compressed BMP is not supported"},
+        {{INFO, 2, 2, 8, 3, 4, NULL, palette, rows, 8}, "compressed BMP is not supported"},
+        {{INFO, 2, 2, 2, 0, 4, NULL, palette, rows, 8}, "unknown kind of BMP"},
+        {{INFO, 2, 2, 64, 0, 0, NULL, NULL, rows, 32}, "unknown kind of BMP"},
+        {{16, 2, 2, 24, 0, 0, NULL, NULL, rows, 16}, "unknown kind of BMP"},
+        {{INFO, 0, 2, 24, 0, 0, NULL, NULL, rows, 16}, "the image has no pixels"},
+        {{INFO, -2, 2, 24, 0, 0, NULL, NULL, rows, 16}, "the image has no pixels"},
+        {{INFO, 2, INT32_MIN, 24, 0, 0, NULL, NULL, rows, 16}, "the image is too large"},
+        {{INFO, 20000, 2, 24, 0, 0, NULL, NULL, rows, 16}, "the image is too large"},
+        {{INFO, 16384, 16384, 24, 0, 0, NULL, NULL, rows, 16}, "the file is truncated"},
+        {{INFO, 2, 2, 16, 3, 0, torn, NULL, rows, 8},
+         "the bits of a color channel are not contiguous"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         write_bmp(files, &cases[i].bmp);
@@ -148,7 +149,7 @@ static void faults(void **state)
     }
     static const uint8_t beyond[] = {0, 1, 9, 9, 2, 4, 9, 9};
     write_bmp(files, &(Bmp){INFO, 2, 2, 8, 0, 4, NULL, palette, beyond, 8});
-    picture_refused(files, picture_alone, true, "a texel has a colour that its palette lacks");
+    picture_refused(files, picture_alone, true, "a pixel's palette index is out of range");
 }
 
 /* Every length up to the last is too short. */
@@ -164,7 +165,7 @@ static void cut_files(void **state)
         write_bmp(files, &kinds[i]);
         for (const size_t whole = files->size; files->size > 2;) {
             files->size--;
-            picture_refused(files, picture_alone, true, "it ends too soon");
+            picture_refused(files, picture_alone, true, "the file is truncated");
             assert_true(files->size < whole);
         }
     }
@@ -196,13 +197,13 @@ static void others_are_named(void **state)
     (void)state;
     static const struct {
         const char *begin, *why;
-    } formats[] = {{"GIF89a..", "it is a GIF: save it as PNG"},
-                   {"RIFF....WEBPVP8 ", "it is a WebP: save it as PNG"},
-                   {"II*\x08", "it is a TIFF: save it as PNG, or as OpenEXR"},
-                   {"#?RADIANCE\n", "it is a Radiance picture: save it as OpenEXR"},
-                   {"DDS |", "it is a DDS: save it as PNG"},
-                   {"8BPS", "it is a Photoshop file: save it as PNG"},
-                   {"plain text", "it is neither PNG nor JPEG nor OpenEXR nor BMP"}};
+    } formats[] = {{"GIF89a..", "GIF is not supported; save it as PNG"},
+                   {"RIFF....WEBPVP8 ", "WebP is not supported; save it as PNG"},
+                   {"II*\x08", "TIFF is not supported; save it as PNG or OpenEXR"},
+                   {"#?RADIANCE\n", "Radiance HDR is not supported; save it as OpenEXR"},
+                   {"DDS |", "DDS is not supported; save it as PNG"},
+                   {"8BPS", "PSD is not supported; save it as PNG"},
+                   {"plain text", "the format is not PNG, JPEG, OpenEXR or BMP"}};
     for (size_t i = 0; i < sizeof formats / sizeof *formats; i++) {
         files->size = 0;
         picture_put(files, formats[i].begin, strlen(formats[i].begin));

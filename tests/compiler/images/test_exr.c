@@ -110,7 +110,7 @@ static void values_are_linear(void **state)
         want);
     picture_refused(&file,
                     "material: Phong\nemissive: { map: ImageMap, image: a, colorspace: srgb }\n",
-                    false, "a picture of floats is linear, never srgb");
+                    false, "a float image is always linear, never srgb");
 }
 
 /* Halves stay halves; floats are those where the target's samplers filter them. */

@@ -14,12 +14,13 @@ static void kinds_that_are_refused(void **state)
         ExrHeader header;
         const char *why;
     } rows[] = {
-        {{SMALL, "Z", {FLOAT}, 0, 0, 0}, "none of R, G, B, A and Y"},
-        {{SMALL, "A", {FLOAT}, 0, 0, 0}, "none of R, G, B, A and Y"},
-        {{SMALL, "BGR", {HALF, UINT, HALF}, 0, 0, 0}, "whole numbers"},
+        {{SMALL, "Z", {FLOAT}, 0, 0, 0}, "none of the channels R, G, B, A and Y"},
+        {{SMALL, "A", {FLOAT}, 0, 0, 0}, "none of the channels R, G, B, A and Y"},
+        {{SMALL, "BGR", {HALF, UINT, HALF}, 0, 0, 0}, "channels are integers"},
         {{WINDOW(4, 4), WINDOW(4, 4), "Y", {HALF}, 0, 2, 0}, "subsampled"},
-        {{SMALL, "Y", {HALF}, B44, 0, 0}, "save it with one of these"},
-        {{WINDOW(1, 1), WINDOW(LIMIT_IMAGE_SIDE + 1, 1), "Y", {HALF}, 0, 0, 0}, "it is too large"},
+        {{SMALL, "Y", {HALF}, B44, 0, 0}, "use none, RLE, ZIPS, ZIP or PIZ"},
+        {{WINDOW(1, 1), WINDOW(LIMIT_IMAGE_SIDE + 1, 1), "Y", {HALF}, 0, 0, 0},
+         "the image is too large"},
         {{WINDOW(1, 1), {0, 0, -1, 0}, "Y", {HALF}, 0, 0, 0}, ""},
         {{WINDOW(1, 1), {INT32_MIN, 0, INT32_MAX, 0}, "Y", {HALF}, 0, 0, 0}, ""},
     };
@@ -42,7 +43,7 @@ static void numbers_are_finite(void **state)
         exr_put_file(&file, &header);
         file.size -= 2;
         exr_put_sample(&file, HALF, numbers[i]);
-        picture_refused(&file, picture_alone, true, "a texel is infinite or no number");
+        picture_refused(&file, picture_alone, true, "a pixel is infinite or NaN");
     }
 }
 
@@ -94,7 +95,7 @@ static void large(void **state)
                              0};
         exr_put_header(&file, &h);
         /* and not that it needs too much memory */
-        picture_refused(&file, picture_alone, true, "it ends too soon");
+        picture_refused(&file, picture_alone, true, "the file is truncated");
         MatcDocument *document = picture_read(&file, picture_alone, false);
         assert_int_equal(picture_of(document)->width, LIMIT_IMAGE_SIDE);
         matc_document_free(document);
@@ -114,7 +115,7 @@ static void broken(void **state)
         exr_write_file(&file, &h);
         const size_t whole = file.size;
         for (file.size = 4; file.size < whole; file.size += 3)
-            picture_refused(&file, picture_alone, true, "cannot read the picture 'a'");
+            picture_refused(&file, picture_alone, true, "cannot read the image 'a'");
         file.size = whole;
         for (size_t i = 4; i < whole; i++) {
             file.bytes[i] ^= 0x55;

@@ -213,17 +213,17 @@ static void kinds_that_are_refused(void **state)
         Header header;
         const char *why;
     } rows[] = {
-        {{BASELINE, 8, 8, 4, 8}, "its colours are CMYK; save it as RGB"},
-        {{BASELINE, 8, 8, 2, 8}, "it is neither grey nor RGB"},
+        {{BASELINE, 8, 8, 4, 8}, "CMYK is not supported; save it as RGB"},
+        {{BASELINE, 8, 8, 2, 8}, "it is neither grayscale nor RGB"},
         {{BASELINE, 8, 8, 5, 8}, ""},
         {{BASELINE, 8, 8, 0, 8}, ""},
         {{BASELINE, 8, 8, 255, 8}, ""},
-        {{ARITHMETIC, 8, 8, 1, 8}, "it is coded arithmetically"},
+        {{ARITHMETIC, 8, 8, 1, 8}, "arithmetic coding is not supported"},
         {{EXTENDED, 8, 8, 1, 12}, ""},
         {{LOSSLESS, 8, 8, 1, 8}, ""},
         {{BASELINE, 0, 8, 1, 8}, ""},
         {{BASELINE, 8, 0, 1, 8}, ""},
-        {{BASELINE, LIMIT_IMAGE_SIDE + 1, 1, 1, 8}, "it is too large"},
+        {{BASELINE, LIMIT_IMAGE_SIDE + 1, 1, 1, 8}, "the image is too large"},
         {{BASELINE, 65535, 65535, 3, 8}, ""},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
@@ -246,7 +246,7 @@ static void large(void **state)
         put_header(&file, &(Header){frame, LIMIT_IMAGE_SIDE, LIMIT_IMAGE_SIDE, 3, 8});
         put_block(&file, 200);
         put_end(&file);
-        picture_refused(&file.made, picture_alone, true, "it ends too soon");
+        picture_refused(&file.made, picture_alone, true, "the file is truncated");
         MatcDocument *document = picture_read(&file.made, picture_alone, false);
         assert_non_null(document->graph);
         matc_document_free(document);
@@ -322,7 +322,7 @@ static void broken(void **state)
     const size_t whole = file.made.size;
     /* the last two say that it ends */
     for (file.made.size = 0; file.made.size < whole - 2; file.made.size++)
-        picture_refused(&file.made, picture_alone, true, "cannot read the picture 'a'");
+        picture_refused(&file.made, picture_alone, true, "cannot read the image 'a'");
     file.made.size = whole;
     for (size_t i = 0; i < whole; i++)
         for (int bit = 0; bit < 8; bit++) {

@@ -308,19 +308,19 @@ static void test_broken(void **state)
         file.size = 0;
         put_header(&file, &headers[i]);
         put_rows(&file, ROWS("\0\x10\x80\xC0"));
-        picture_refused(&file, picture_alone, true, "cannot read the picture 'a'");
-        picture_refused(&file, picture_alone, false, "cannot read the picture 'a'");
+        picture_refused(&file, picture_alone, true, "cannot read the image 'a'");
+        picture_refused(&file, picture_alone, false, "cannot read the image 'a'");
     }
     file.size = 0;
     put_header(&file, &(Header){LIMIT_IMAGE_SIDE + 1, 1, 8, GRAY, false});
     put_rows(&file, ROWS("\0"));
-    picture_refused(&file, picture_alone, false, "it is too large");
+    picture_refused(&file, picture_alone, false, "the image is too large");
     file.size = 0;
     put_header(&file, &(Header){1, 1, 8, RGB, false});
     put_rows(&file, ROWS("\0\x10\x80\xC0"));
     const size_t whole = file.size - 12; /* IEND says nothing that is needed */
     for (file.size = 0; file.size < whole - 8; file.size++)
-        picture_refused(&file, picture_alone, true, "cannot read the picture 'a'");
+        picture_refused(&file, picture_alone, true, "cannot read the image 'a'");
     file.size = whole;
     check_texels(&file, 1, 1, "\x10\x80\xC0\xFF", true);
     /* a byte that is another: an error, or another picture, in no memory */
@@ -339,7 +339,7 @@ static void test_large(void **state)
     PictureFile file = {.size = 0};
     put_header(&file, &(Header){LIMIT_IMAGE_SIDE, LIMIT_IMAGE_SIDE, 8, GRAY, false});
     put_rows(&file, ROWS("\0"));
-    picture_refused(&file, picture_alone, true, "it ends too soon");
+    picture_refused(&file, picture_alone, true, "the file is truncated");
     /* a program needs no more than the size */
     MatcDocument *unread = picture_read(&file, picture_alone, false);
     assert_non_null(unread->graph);
@@ -355,7 +355,7 @@ static void test_large(void **state)
     put_header(&files[1], &(Header){LIMIT_IMAGE_SIDE, LIMIT_IMAGE_SIDE, 1, GRAY, false});
     put_rows(&files[1], data, sizeof data);
     picture_refused(files, two_pictures, true,
-                    "'b': the pictures of a document are too large together");
+                    "'b': the images of the document are too large in total");
     unread = picture_read(files, two_pictures, false);
     assert_non_null(unread->graph);
     matc_document_free(unread);

@@ -255,10 +255,9 @@ static void none_is_without_a_case(void **state)
         MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT, &options);
         assert_false(matc_ok(program));
         assert_null(matc_output(program, MATC_FRAGMENT, NULL));
-        assert_non_null(strstr(
-            matc_program_diagnostics(program, MATC_TEXT),
-            "other.yaml:1:11: error: layout auto has no case that stores all that this material "
-            "has: diffuse, transparency, emissive, ior\n"));
+        assert_non_null(strstr(matc_program_diagnostics(program, MATC_TEXT),
+                               "other.yaml:1:11: error: layout auto has no case that stores all "
+                               "slots of this material: diffuse, transparency, emissive, ior\n"));
         matc_program_free(program);
         matc_document_free(document);
     }

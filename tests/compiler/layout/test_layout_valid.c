@@ -70,7 +70,7 @@ static void old_glsl_has_no_whole_numbers(void **state)
         matc_compile(document, 0, MATC_FRAGMENT | MATC_UNPACK | MATC_REFLECT, &options);
     assert_false(matc_ok(program));
     assert_non_null(strstr(matc_program_diagnostics(program, MATC_TEXT),
-                           "layout integer packs whole numbers, which glsl110"));
+                           "layout integer needs integer render targets, which glsl110"));
     matc_program_free(program);
     options.target = NULL;
     program = matc_compile(document, 0, MATC_FRAGMENT | MATC_REFLECT, &options);

@@ -137,7 +137,7 @@ static void faults_are_reported(void **state)
         const char *text, *layout, *slot, *reported;
     } cases[] = {
         {"{ material: Phong }", "compact", "ior", "the layout does not store that slot"},
-        {"{ material: Phong }", "unknown", NULL, "error: layout: there is no 'unknown'"},
+        {"{ material: Phong }", "unknown", NULL, "error: layout: unknown value 'unknown'"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         char error[512];

@@ -260,7 +260,7 @@ static void others_have_no_skirts(void **state)
     MatcDocument *document = scene_read("scene.yaml", text, sizeof text - 1, &options, &scene);
     assert_null(scene);
     assert_non_null(strstr(matc_diagnostics(document, MATC_TEXT),
-                           "2:39: error: displacement by grid has no skirts of the kind all"));
+                           "2:39: error: displacement by grid has no skirts of kind all"));
     matc_document_free(document);
 }
 

@@ -206,7 +206,7 @@ static void programs_are_shared(void **state)
         /* 10 bits */
         assert_true(fabs(rgba[4 * (15 * 90 + 15 + 30 * (i / 3)) + i % 3] - .1 * (i + 1)) < 5e-4);
     char *stats = renderer_stats(renderer);
-    assert_non_null(strstr(stats, "3 materials, 3 programs of 1 texts"));
+    assert_non_null(strstr(stats, "3 materials, 3 programs of 1 distinct sources"));
     assert_non_null(strstr(stats, "in 1 meshes"));
     free(stats);
     free(rgba);
@@ -221,18 +221,18 @@ static void views_need_less(void **state)
     (void)state;
     static const struct {
         const char *view, *rests, *lights;
-    } cases[] = {{"depth", "light depth, gbuffer, shadow light not run: nobody needs it", "auto"},
-                 {"normal", "shown RGBA8 not there", "auto"},
-                 {"light", "tone light shown not run: nobody needs it", "auto"},
-                 {NULL, "plane depth, gbuffer depth, gbuffer not run: nothing to do", "auto"},
-                 {NULL, "gather depth, gbuffer far not run: lights are few", "auto"},
-                 {"depth", "far two buffers not there", "auto"},
-                 {NULL, "gather depth, gbuffer far not run: all lights are asked for", "all"},
-                 {NULL,
-                  "gather depth, gbuffer far lights are many, and far ones are taken together",
-                  "bounded"},
-                 {NULL, "light depth, gbuffer, shadow, far light always", "bounded"},
-                 {"light", "far two buffers 4: 3536 bytes for blocks of 32 x 32", "bounded"}};
+    } cases[] = {
+        {"depth", "light depth, gbuffer, shadow light not run: nobody needs it", "auto"},
+        {"normal", "shown RGBA8 not allocated", "auto"},
+        {"light", "tone light shown not run: nobody needs it", "auto"},
+        {NULL, "plane depth, gbuffer depth, gbuffer not run: nothing to do", "auto"},
+        {NULL, "light_cluster depth, gbuffer far not run: lights are few", "auto"},
+        {"depth", "far two buffers not allocated", "auto"},
+        {NULL, "light_cluster depth, gbuffer far not run: all lights are asked for", "all"},
+        {NULL, "light_cluster depth, gbuffer far lights are many, and far ones are taken together",
+         "bounded"},
+        {NULL, "light depth, gbuffer, shadow, far light always", "bounded"},
+        {"light", "far two buffers 4: 3536 bytes for blocks of 32 x 32", "bounded"}};
     const MatcOptions options = frame_exact_options();
     MatcDocument *document;
     Scene *scene =
@@ -255,8 +255,8 @@ static void views_need_less(void **state)
     }
     assert_null(renderer_open(gl, &(RendererOptions){.compile = &options, .view = "deep"}));
     assert_string_equal(gl->error,
-                        "there is no view 'deep': shown, wireframe, volume, light, depth, shadow, "
-                        "positions, voxels, open, indirect, bent, visibility, or a slot");
+                        "unknown view 'deep'; expected shown, wireframe, volume, light, depth, "
+                        "shadow, positions, voxels, open, indirect, bent, visibility, or a slot");
     gl_close(gl);
     frame_forget(scene, document);
 }

@@ -151,7 +151,8 @@ static void params(void **unused)
     /* 10 bits */
     assert_true(fabsf(rgba[4 * 105] - .2f) < 1e-3f && fabsf(rgba[4 * 115] - .8f) < 1e-3f);
     assert_false(renderer_param(c.renderer, second, "shin", &(float){.8f}, 1));
-    assert_string_equal(c.gl->error, "no program of the material has a param 'shin' of 1 lanes");
+    assert_string_equal(c.gl->error,
+                        "no program of the material has a param 'shin' of 1 components");
     assert_false(renderer_param(c.renderer, second, "shine", (float[3]){0}, 3));
     free(rgba);
     close_changing(&c);

@@ -355,7 +355,7 @@ static void faults_leave_nothing(void **state)
     assert_true(material_make(f.store, NULL, &text, &material));
     assert_true(material_set_texture(&material, "absent", &wrong)); /* nobody asks for it */
     assert_false(material_set_texture(&material, "image", &wrong));
-    assert_string_equal(f.gl->error, "a texture has 1 or 4 lanes, not 3");
+    assert_string_equal(f.gl->error, "a texture has 1 or 4 components, not 3");
     assert_int_equal(store_texture_count(f.store), 0);
     material_delete(&material);
     assert_false(reader_make(

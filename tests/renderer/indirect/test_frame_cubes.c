@@ -71,13 +71,11 @@ static void levels_there_are(void **state)
         const char *view, *reported;
     } cases[] = {
         {"voxels5", NULL},
-        {"voxels6", "there is no view 'voxels6': of 32 voxels the last is voxels5"},
-        {"voxels12",
-         "there is no view 'voxels12': shown, wireframe, volume, light, depth, shadow, positions, "
-         "voxels, open, indirect, bent, visibility, or a slot"},
-        {"voxelsx",
-         "there is no view 'voxelsx': shown, wireframe, volume, light, depth, shadow, positions, "
-         "voxels, open, indirect, bent, visibility, or a slot"}};
+        {"voxels6", "unknown view 'voxels6': the last of 32 voxels is voxels5"},
+        {"voxels12", "unknown view 'voxels12'; expected shown, wireframe, volume, light, depth, "
+                     "shadow, positions, voxels, open, indirect, bent, visibility, or a slot"},
+        {"voxelsx", "unknown view 'voxelsx'; expected shown, wireframe, volume, light, depth, "
+                    "shadow, positions, voxels, open, indirect, bent, visibility, or a slot"}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         Renderer *renderer =
             renderer_open(d.gl, &(RendererOptions){.compile = &options, .view = cases[i].view});

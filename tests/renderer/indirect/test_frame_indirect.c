@@ -384,10 +384,10 @@ static void faults_say_why(void **state)
     static const struct {
         const char *keys, *view, *fault;
     } cases[] = {{"", "ao",
-                  "there is nothing to see of view 'open': the scene has no `indirect:`, which "
+                  "view 'open' is not available: the scene has no `indirect:`, which "
                   "--indirect=METHOD gives it"},
                  {"indirect: { method: none }", "bent",
-                  "there is nothing to see of view 'bent': the scene has no `indirect:`, which "
+                  "view 'bent' is not available: the scene has no `indirect:`, which "
                   "--indirect=METHOD gives it"}};
     Rig rig = open_rig();
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {

@@ -166,14 +166,14 @@ static void capacity(void **state)
 {
     (void)state;
     Drawn d = draw(&(RendererOptions){0});
-    assert_true(graph_has(d.renderer, "sheets RG32UI 16: what planes let through of 2 lights"));
+    assert_true(graph_has(d.renderer, "sheets RG32UI 16: plane transmittance of 2 lights"));
     assert_true(graph_has(d.renderer, "lists depth lists not run: nothing to do")); /* peeled */
     assert_true(renderer_set_scene(d.renderer, d.scene));
     renderer_close(d.renderer);
     d.renderer =
         renderer_open(d.gl, &(RendererOptions){.compile = &d.compile, .transparency = "lists"});
     assert_false(renderer_set_scene(d.renderer, d.scene));
-    assert_non_null(strstr(d.gl->error, "a plane whose transparency varies casts shadows"));
+    assert_non_null(strstr(d.gl->error, "a plane with varying transparency casts shadows"));
     renderer_close(d.renderer);
     d.renderer = renderer_open(d.gl, &(RendererOptions){.compile = &d.compile, .no_shadows = true});
     assert_true(renderer_set_scene(d.renderer, d.scene) && renderer_frame(d.renderer));

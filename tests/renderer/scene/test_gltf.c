@@ -81,22 +81,22 @@ static void what_is_not_read_is_reported(void **state)
         const char *materials, *reported;
     } cases[] = {
         {"[{\"extensions\":{\"KHR_materials_unlit\":{}}}]",
-         "2:29: warning: KHR_materials_unlit is not read"},
+         "2:29: warning: KHR_materials_unlit is ignored"},
         {"[{\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":1}}}]",
-         "1:861: error: cannot read the picture 'case.gltf#/images/1': it is neither PNG nor JPEG "
-         "nor OpenEXR nor BMP"},
+         "1:861: error: cannot read the image 'case.gltf#/images/1': the format is not PNG, JPEG, "
+         "OpenEXR or BMP"},
         {"[{\"normalTexture\":{\"index\":0,\"texCoord\":1}}]",
-         "2:53: warning: a second set of texture coordinates, of normals, is not read"},
+         "2:53: warning: a second set of texture coordinates, of normals, is ignored"},
         {"[{\"normalTexture\":{\"index\":2}}]",
-         "2:40: error: the file's list textures has no item 2"},
+         "2:40: error: the list textures of the glTF file has no item 2"},
         {"[{\"normalTexture\":{\"index\":-1}}]",
-         "2:40: error: the file's list textures has no item -1"},
-        {"[{\"normalTexture\":7}]", "2:31: warning: a texture without a picture is not read"},
-        {"[{\"thicknessTexture\":{\"index\":0}}]", "2:15: warning: thicknessTexture is not read"},
+         "2:40: error: the list textures of the glTF file has no item -1"},
+        {"[{\"normalTexture\":7}]", "2:31: warning: a texture without an image is ignored"},
+        {"[{\"thicknessTexture\":{\"index\":0}}]", "2:15: warning: thicknessTexture is ignored"},
         {"[{\"alphaMode\":\"GLASS\"}]",
-         "2:27: error: alphaMode wants OPAQUE, MASK or BLEND, not 'GLASS'"},
+         "2:27: error: alphaMode expects OPAQUE, MASK or BLEND, not 'GLASS'"},
         {"[{\"occlusionTexture\":{\"index\":0}}]",
-         "2:34: warning: occlusionTexture of a glTF is not wholly kept"},
+         "2:34: warning: occlusionTexture of a glTF is only approximated"},
         {"[7, null, \"a\"]", ""},
         {"7", ""},
     };

@@ -241,39 +241,39 @@ static void faults_have_places(void **state)
         CASE("{\"bufferView\":0,\"componentType\":5126,\"count\":6,\"type\":\"SCALAR\"}",
              "its accessor has another count than"),
         CASE("{\"bufferView\":9,\"componentType\":5126,\"count\":7,\"type\":\"SCALAR\"}",
-             "its bufferView is not there"),
+             "its bufferView does not exist"),
         CASE("{\"bufferView\":0,\"byteOffset\":25,\"componentType\":5126,\"count\":7,\"type\":"
              "\"SCALAR\"}",
-             "its accessor ends behind"),
+             "its accessor exceeds"),
         CASE("{\"bufferView\":0,\"byteOffset\":4294967295,\"componentType\":5126,\"count\":7,"
              "\"type\":\"SCALAR\"}",
-             "its accessor ends"),
+             "its accessor exceeds"),
         CASE("{\"bufferView\":0,\"byteOffset\":-4,\"componentType\":5126,\"count\":7,\"type\":"
              "\"SCALAR\"}",
-             "its accessor ends behind"),
+             "its accessor exceeds"),
         CASE("{\"bufferView\":1,\"componentType\":5126,\"count\":7,\"type\":\"SCALAR\"}",
-             "its accessor ends behind the end"),
+             "its accessor exceeds"),
         CASE("{\"bufferView\":0,\"componentType\":5125,\"count\":7,\"type\":\"SCALAR\"}",
-             "its accessor's componentType is none"),
+             "its accessor's componentType is not"),
         CASE("{\"bufferView\":0,\"componentType\":5126,\"count\":7,\"type\":\"MAT4\"}",
-             "its accessor's type is none of"),
+             "its accessor's type is not"),
         SPARSE("", "its accessor has more sparse values than vertices"),
         SPARSE("\"count\":8", "its accessor has more sparse values than vertices"),
-        SPARSE("\"count\":1", "its sparse indices' componentType is none of"),
+        SPARSE("\"count\":1", "its sparse indices' componentType is not"),
         SPARSE("\"count\":1,\"indices\":{\"componentType\":5126}",
-               "its sparse indices' componentType is none of"),
-        SPARSE("\"count\":1,\"indices\":{\"componentType\":5121}", "its bufferView is not there"),
+               "its sparse indices' componentType is not"),
+        SPARSE("\"count\":1,\"indices\":{\"componentType\":5121}", "its bufferView does not exist"),
         SPARSE("\"count\":1,\"indices\":{\"componentType\":5121,\"bufferView\":0}",
-               "its bufferView is not there"),
+               "its bufferView does not exist"),
         SPARSE("\"count\":7,\"indices\":{\"componentType\":5125,\"bufferView\":1}",
-               "its sparse values end behind"),
+               "its sparse values exceed"),
         SPARSE("\"count\":7,\"indices\":{\"componentType\":5121,\"bufferView\":0},\"values\":{"
                "\"bufferView\":1}",
-               "its sparse values end behind"),
+               "its sparse values exceed"),
         SPARSE("\"count\":1,\"indices\":{\"componentType\":5121,\"bufferView\":0,\"byteOffset\":31}"
                ",\"values\":{"
                "\"bufferView\":1}",
-               "its sparse indices are beyond"),
+               "its sparse indices exceed"),
         NAMED("\"_A\":7", AT "its accessor is not there"),
         NAMED("\"_A\":-1", AT "its accessor is not there"),
         NAMED("\"_A\":{}", AT "its accessor is not there"),
@@ -283,7 +283,7 @@ static void faults_have_places(void **state)
               "2,\"TEXCOORD_5\":2,"
               "\"TEXCOORD_6\":2,"
               "\"TEXCOORD_7\":2,\"_A\":2",
-              AT "no room for it beside eight sets"),
+              AT "all eight sets of texture coordinates are in use"),
         {"{\"asset\":{\"version\":\"2.0\"},\"meshes\":[{\"primitives\":[{\"attributes\":{\"_A\":0}}"
          "]}]}",
          "meshes/0/primitives/0/attributes/_A: its primitive has no POSITION"},
@@ -292,7 +292,7 @@ static void faults_have_places(void **state)
          "4294967295}]}",
          "meshes/0/primitives/0/attributes/_A: more vertices than are drawn"},
         {FILE_OF("\"uri\":\"gone.bin\",", "\"_A\":2", NUMBER "," NUMBER),
-         "meshes/0/primitives/0/attributes/_OTHER: no such file"},
+         "meshes/0/primitives/0/attributes/_OTHER: the file does not exist"},
         {"{\"meshes\":[{\"primitives\":[{\"attributes\":{\"_A\":0", ""},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {

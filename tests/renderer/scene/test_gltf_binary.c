@@ -136,41 +136,42 @@ static void broken_binaries_are_reported(void **state)
                         "],\"buffers\":[" buffers "]"),                                            \
         .binary = "abcd", .binary_size = 4                                                         \
     }
-#define CANNOT "cannot read the picture 'x.glb#/images/0': "
+#define CANNOT "cannot read the image 'x.glb#/images/0': "
     static const struct {
         Binary binary;
         const char *reported;
     } cases[] = {
         {{.json = fine, .binary = "abcd", .binary_size = 4},
-         CANNOT "it is neither PNG nor JPEG nor OpenEXR nor BMP"},
-        {{.json = fine, .version = 1}, "no .glb file: it is of version 1; version 2 is read"},
+         CANNOT "the format is not PNG, JPEG, OpenEXR or BMP"},
+        {{.json = fine, .version = 1},
+         "invalid .glb file: it has version 1; only version 2 is supported"},
         {{.json = fine, .length = 1u << 31},
-         "no .glb file: its header says 2147483648 bytes, and it has 2"},
+         "invalid .glb file: its header says 2147483648 bytes, and it has 2"},
         {{.json = fine, .json_length = 0xFFFFFFF8},
-         "no .glb file: the chunk at byte 12 is longer than the file"},
+         "invalid .glb file: the chunk at byte 12 is longer than the file"},
         {{.json = fine, .binary = "abcd", .binary_size = 4, .late = true},
-         "no .glb file: its first chunk, and no other, is JSON"},
+         "invalid .glb file: its first chunk, and no other, is JSON"},
         {{.json = fine}, CANNOT "its buffer has no uri, and the file no binary chunk"},
-        {PICTURE("{\"bufferView\":1}", "", ""), CANNOT "its bufferView is not there"},
+        {PICTURE("{\"bufferView\":1}", "", ""), CANNOT "its bufferView does not exist"},
         {PICTURE("{\"bufferView\":0}", "{\"buffer\":-1,\"byteLength\":4}", "{}"),
          CANNOT "its bufferView names no buffer"},
         {PICTURE("{\"bufferView\":0}", "{\"buffer\":0}", "{}"),
-         CANNOT "its bufferView ends behind the end of its buffer"},
+         CANNOT "its bufferView exceeds its buffer"},
         {PICTURE("{\"bufferView\":0}",
                  "{\"buffer\":0,\"byteOffset\":4294967295,\"byteLength\":4294967295}", "{}"),
-         CANNOT "its bufferView ends behind"},
+         CANNOT "its bufferView exceeds"},
         {PICTURE("{\"bufferView\":0}", "{\"buffer\":0,\"byteOffset\":1.5,\"byteLength\":1}", "{}"),
-         CANNOT "its bufferView ends behind"},
+         CANNOT "its bufferView exceeds"},
         {PICTURE("{\"bufferView\":0}", "{\"buffer\":0,\"byteLength\":4}", "{\"uri\":[]}"),
-         CANNOT "its buffer's uri is no text"},
+         CANNOT "its buffer's uri is not a string"},
         {PICTURE("{\"bufferView\":0}", "{\"buffer\":0,\"byteLength\":4}", "{\"uri\":\"gone.bin\"}"),
          CANNOT "No such file"},
         {PICTURE("{\"uri\":\"data:image/png;base64,iV!O\"}", "", ""),
-         CANNOT "its data: address is no base64"},
+         CANNOT "its data: address is not base64"},
         {PICTURE("{\"uri\":\"data:image/png,iVO\"}", "", ""),
          CANNOT "its data: address has no ;base64,"},
-        {PICTURE("{}", "", ""), CANNOT "the file says neither its uri nor its bufferView"},
-        {PICTURE("7", "", ""), CANNOT "the file says neither its uri nor its bufferView"},
+        {PICTURE("{}", "", ""), CANNOT "the file has neither its uri nor its bufferView"},
+        {PICTURE("7", "", ""), CANNOT "the file has neither its uri nor its bufferView"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         char shown[512];
@@ -183,19 +184,19 @@ static void broken_binaries_are_reported(void **state)
     const size_t size = make_binary(&whole, bytes);
     for (size_t cut = 0; cut < size; cut++) { /* anywhere */
         char shown[512];
-        if (strncmp(shown_by("x.glb", bytes, cut, shown), "no .glb file: ", 14) != 0)
+        if (strncmp(shown_by("x.glb", bytes, cut, shown), "invalid .glb file: ", 14) != 0)
             fail_msg("cut at %zu: %s", cut, shown);
     }
     static const char
         own[] = "material: Phong\ndiffuse: { map: ImageMap, image: \"none.gltf#/images/7\" }\n",
         none[] = "material: Phong\ndiffuse: { map: ImageMap, image: \"none.gltf#/images/\" }\n";
     char shown[512];
-    assert_string_equal(
-        shown_by("a.yaml", own, sizeof own - 1, shown),
-        "cannot read the picture 'none.gltf#/images/7': the file's list images has no such item");
+    assert_string_equal(shown_by("a.yaml", own, sizeof own - 1, shown),
+                        "cannot read the image 'none.gltf#/images/7': the list images of the file "
+                        "has no such item");
     assert_string_equal(
         shown_by("a.yaml", none, sizeof none - 1, shown),
-        "cannot read the picture 'none.gltf#/images/': the file's list images has no such item");
+        "cannot read the image 'none.gltf#/images/': the list images of the file has no such item");
 }
 
 /* Twelve pictures in twelve buffers that are one file, with a name that is escaped in one of

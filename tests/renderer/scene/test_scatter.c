@@ -109,9 +109,9 @@ static void refused(void **state)
     assert_refused(
         RED
         "objects: [{ object: Scatter, seed: 0.5, objects: [{ object: Box, material: red }] }]\n",
-        "2:36: error: seed wants a whole number, not the number 0.5");
+        "2:36: error: seed expects an integer, not the number 0.5");
     assert_refused(RED "objects: [{ object: Scatter, count: 1000, objects: [{ object: Box }] }]\n",
-                   "2:53: error: Box wants 'material'");
+                   "2:53: error: Box requires 'material'");
     assert_refused(RED "objects: [{ object: Scatter, count: 1048576, objects: [{ object: Scatter, "
                        "count: 1048576, objects: [] }] }]\n",
                    "2:56: error: more than 1048576 objects and groups");

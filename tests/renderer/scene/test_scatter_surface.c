@@ -192,17 +192,18 @@ static void faults(void **state)
         const char *text, *reported;
     } cases[] = {
         {RED "objects: [{ object: Scatter, on: { object: Plane }" BOX,
-         "2:34: error: a plane has no end: copies cannot stand evenly on all of it"},
+         "2:34: error: copies cannot be distributed evenly on an infinite plane"},
         {RED "objects: [{ object: Scatter, on: { object: Group }" BOX,
          "2:34: error: the surface has no area"},
         {RED "objects: [{ object: Scatter, on: { object: Sphere }, size: [1, 1, 1]" BOX,
-         "2:60: error: copies on a surface stand in no box: `on` or `size`"},
+         "2:60: error: `on` and `size` are mutually exclusive: copies are either on a surface or "
+         "in a box"},
         {RED "objects: [{ object: Scatter, on: { object: Sphere }, count: 2, density: 3" BOX,
          "2:73: error: there are as many copies as one says: `density` or `count`"},
         {RED "objects: [{ object: Scatter, density: 3" BOX,
-         "2:39: error: density is of a surface: it wants `on`"},
+         "2:39: error: `density` needs a surface: set `on`"},
         {RED "objects: [{ object: Scatter, aligned: true" BOX,
-         "2:39: error: copies are aligned to a surface: it wants `on`"},
+         "2:39: error: alignment needs a surface: set `on`"},
         {RED "objects: [{ object: Scatter, on: { object: Sphere, radios: 2 }" BOX,
          "2:52: error: Sphere has no parameter 'radios'; did you mean 'radius'?"},
         {RED "objects: [{ object: Scatter, on: { object: Sphere }, density: 1e9" BOX,
@@ -216,7 +217,7 @@ static void faults(void **state)
              "}\nobjects: [{ object: "
              "Instance, "
              "of: a }]\n",
-         "2:59: error: 'a' contains itself"},
+         "2:59: error: the definition 'a' contains itself"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         MatcDocument *document;

@@ -399,7 +399,7 @@ static void files(void **state)
              folder);
     assert_null(read_text(text, &document));
     assert_non_null(strstr(matc_diagnostics(document, MATC_TEXT),
-                           "no material 'gold' in the document; there are a, b"));
+                           "the document has no material 'gold'; there are a, b"));
     matc_document_free(document);
 }
 

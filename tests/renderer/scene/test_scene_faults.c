@@ -12,65 +12,60 @@ static void faults(void **state)
         const char *text, *reported;
     } cases[] = {
         {RED "objects: [{ object: Spere, material: red }]\n",
-         "2:21: error: no object is called 'Spere'; did you mean 'Sphere'?"},
+         "2:21: error: unknown object 'Spere'; did you mean 'Sphere'?"},
         {RED "objects: [{ object: Sphere, radios: 2, material: red }]\n",
          "2:29: error: Sphere has no parameter 'radios'; did you mean 'radius'?"},
         {RED "indirect: { quality: best }\nobjects: []\n",
-         "2:22: error: quality wants draft, normal or fine, not 'best'"},
+         "2:22: error: quality expects draft, normal or fine, not 'best'"},
         {RED "indirect: { preset: draft }\nobjects: []\n",
-         "2:21: error: preset wants none, thesisMarch, thesisPoints, thesisBuddha, thesisSheep or "
-         "thesisDragons, not 'draft'"},
+         "2:21: error: preset expects none, thesisMarch, thesisPoints, thesisBuddha, thesisSheep "
+         "or thesisDragons, not 'draft'"},
         {RED "objects: [{ object: Sphere, radius: big, material: red }]\n",
-         "2:37: error: radius wants a number, not 'big'"},
+         "2:37: error: radius expects a number, not 'big'"},
         {RED "objects: [{ object: Sphere, radius: .nan, material: red }]\n",
-         "2:37: error: '.nan' is not a number as matc reads them: decimal digits, a point, an "
-         "exponent"},
+         "2:37: error: '.nan' is not a valid number; use decimal digits, a point, an exponent"},
         {RED "objects: [{ object: Sphere, radius: 1e999, material: red }]\n", NULL},
         {RED "objects: [{ object: Sphere, radius: -1, material: red }]\n",
          "2:37: error: radius is -1.0; it must be from 0.000001 to 1e+09"},
         {RED "objects: [{ object: Sphere, radius: { param: r, default: 1 }, material: red }]\n",
-         "2:37: error: radius cannot be a param: it is of a scene, and no uniform of a program"},
+         "2:37: error: radius cannot be a param: values of a scene are not uniforms of a program"},
         {RED "objects: [{ object: Sphere, material: blue }]\n",
-         "2:39: error: no material 'blue' in the document; there are red"},
+         "2:39: error: the document has no material 'blue'; there are red"},
         {RED "objects: [{ object: Sphere, material: rde }]\n",
-         "2:39: error: no material 'rde' in the document; did you mean 'red'?"},
-        {RED "objects: [{ object: Sphere }]\n", "2:11: error: Sphere wants 'material'"},
+         "2:39: error: the document has no material 'rde'; did you mean 'red'?"},
+        {RED "objects: [{ object: Sphere }]\n", "2:11: error: Sphere requires 'material'"},
         {RED "objects: [{ object: Sphere, material: { material: Phnog } }]\n",
-         "2:51: error: no material is called 'Phnog'; did you mean 'Phong'?"},
+         "2:51: error: unknown material 'Phnog'; did you mean 'Phong'?"},
         {RED "objects: [{ object: Sphere, material: [red] }]\n",
-         "2:39: error: material wants a name, a material, or `{ file: name }`, not a list"},
+         "2:39: error: material expects a name, a material, or `{ file: name }`, not a list"},
         {RED "objects: [{ object: Sphere, material: { file: nowhere.yaml } }]\n",
          "2:47: error: cannot read 'nowhere.yaml': No such file or directory"},
         {RED "objects: [{ object: Sphere, material: { file: x.yaml, materials: red } }]\n",
-         "2:55: error: a material of a file has 'file' and 'material', not 'materials'"},
+         "2:55: error: a material from a file has the keys 'file' and 'material', not 'materials'"},
         {RED "objects: [{ object: Mesh, file: nowhere.obj, material: red }]\n",
          "2:33: error: cannot read 'nowhere.obj': No such file or directory"},
         {RED "objects: [{ object: Mesh, file: mesh.max, material: red }]\n",
          "2:33: error: cannot read 'mesh.max': a mesh is a file .obj, .gltf, .glb or .ply"},
-        {RED "objects: [{ object: Mesh, material: red }]\n", "2:11: error: Mesh wants 'file'"},
-        {RED "objects: { object: Sphere }\n", "2:10: error: objects wants a list, not an object"},
+        {RED "objects: [{ object: Mesh, material: red }]\n", "2:11: error: Mesh requires 'file'"},
+        {RED "objects: { object: Sphere }\n", "2:10: error: objects expects a list, not an object"},
         {RED "objects: [Sphere]\n",
-         "2:11: error: this wants the key `object:`, and the object is one of Group, Scatter, "
-         "Instance, Sphere, "
-         "Box, Cylinder, Cone, Parallelogram, Plane, Mesh: it is written `{ object: Sphere }`"},
+         "2:11: error: missing key `object:`; the object is one of Group, Scatter, Instance, "
+         "Sphere, Box, Cylinder, Cone, Parallelogram, Plane, Mesh, written `{ object: Sphere }`"},
         {RED "objects: [{ object: Cube, material: red }]\n",
-         "2:21: error: no object is called 'Cube'; here it is Box"},
+         "2:21: error: unknown object 'Cube'; here it is Box"},
         {RED "objects: [{ object: Box, position: [0, 0, 1], material: red }]\n",
          "2:26: error: Box has no parameter 'position'; here it is transform: { translation: [x, "
          "y, z] }"},
         {RED "lights: [{ light: Sun }]\nobjects: []\n",
-         "2:19: error: no light is called 'Sun'; here it is Directional"},
+         "2:19: error: unknown light 'Sun'; here it is Directional"},
         {RED "objects: []\ntoneMapping: Filmic\n",
-         "3:14: error: this wants the key `toneMapping:`, and the toneMapping is one of Clamp, "
-         "Filmic, Shoulder, "
-         "Exponential, "
-         "Linear, ReinhardDevlin, Drago: it is written `{ toneMapping: Filmic }`"},
+         "3:14: error: missing key `toneMapping:`; the toneMapping is one of Clamp, Filmic, "
+         "Shoulder, Exponential, Linear, ReinhardDevlin, Drago, written `{ toneMapping: Filmic }`"},
         {RED "objects: []\ncamera: { position: [0, 0, 3] }\n",
-         "3:9: error: this wants the key `camera:`, and the camera is one of Perspective, "
-         "Orthographic: it is written "
-         "`{ camera: Perspective, ... }`"},
+         "3:9: error: missing key `camera:`; the camera is one of Perspective, Orthographic, "
+         "written `{ camera: Perspective, ... }`"},
         {RED "objects: [{ Object: Sphere }]\n",
-         "2:13: error: 'Object' is written 'object': names are case-sensitive"},
+         "2:13: error: 'Object' must be written 'object'; names are case-sensitive"},
         {RED "objects: [{ object: Sphere, material: red, transform: { scale: [1, 0, 1] } }]\n",
          "2:55: error: the transformation makes it flat"},
         {RED "objects: [{ object: Sphere, material: red, transform: { scale: 1e38 } }]\n",
@@ -84,17 +79,17 @@ static void faults(void **state)
         {RED "objects: [{ object: Sphere, material: red, transform: { size: 2 } }]\n",
          "2:57: error: a transform has no parameter 'size'"},
         {RED "objects: [{ object: Plane, material: red, transform: { shear: [1, 0, 0] } }]\n",
-         "2:54: error: the transformation leaves x and y of a plane at no right angle"},
+         "2:54: error: the transform does not keep x and y of a plane perpendicular"},
         {RED "objects: [{ object: Parallelogram, material: red, u: [1, 1, 0], v: [2, 2, 0] }]\n",
-         "2:68: error: u and v span nothing"},
+         "2:68: error: u and v are parallel"},
         {RED "objects: [{ object: Sphere, detail: 2, material: red }]\n",
          "2:37: error: detail is 2; it must be from 3 to 1024"},
         {RED "lights: [{ light: Pont }]\n",
-         "2:19: error: no light is called 'Pont'; did you mean 'Point'?"},
+         "2:19: error: unknown light 'Pont'; did you mean 'Point'?"},
         {RED "lights: [{ light: Point, shadows: soft }]\n",
-         "2:35: error: shadows wants none, map, silhouette, hybrid or exact, not 'soft'"},
+         "2:35: error: shadows expects none, map, silhouette, hybrid or exact, not 'soft'"},
         {RED "lights: [{ light: Point, shadows: \"true\" }]\n",
-         "2:35: error: shadows wants none, map, silhouette, hybrid or exact, not 'true'"},
+         "2:35: error: shadows expects none, map, silhouette, hybrid or exact, not 'true'"},
         {RED "lights: [{ light: Ambient, shadows: true }]\n",
          "2:28: error: Ambient has no parameter 'shadows'; it has color, intensity, name"},
         {RED "shadowMaps: { size: 8 }\nlights: []\n",
@@ -108,71 +103,65 @@ static void faults(void **state)
         {RED "lights: [{ light: Directional, direction: [0, 0, 0] }]\n",
          "2:43: error: direction has no direction"},
         {RED "lights: [{ light: Spot, innerAngle: 40 }]\n",
-         "2:37: error: the inner angle is greater than the outer one"},
+         "2:37: error: the inner angle exceeds the outer angle"},
         {RED "voxels: { size: 100 }\nobjects: []\n",
-         "2:17: error: 100 voxels along an edge: it is to be a power of two"},
+         "2:17: error: 100 voxels along an edge must be a power of two"},
         {RED "voxels: { size: 1024 }\nobjects: []\n",
          "2:17: error: size is 1024; it must be from 32 to 512"},
         {RED "displacement: { method: bisection, level: 8 }\nobjects: []\n",
-         "2:43: error: by bisection no edge has a number of parts: `triangles` and `pixels` say "
-         "how far it goes"},
+         "2:43: error: bisection does not divide edges by a number of parts; use `triangles` or "
+         "`pixels`"},
         {RED "displacement: { pixels: 2 }\nobjects: []\n",
-         "2:25: error: by mesh triangles are divided evenly: by pixels of the picture go `method: "
-         "bisection`, `auto`, "
-         "`grid` and `tessellation`"},
+         "2:25: error: method mesh divides triangles uniformly; `pixels` needs the method "
+         "`bisection`, `auto`, `grid` or `tessellation`"},
         {RED "displacement: { method: traced, pixels: 2 }\nobjects: []\n",
-         "2:41: error: by traced triangles are divided evenly: by pixels of the picture go "
-         "`method: bisection`, "
-         "`auto`, `grid` and `tessellation`"},
+         "2:41: error: method traced divides triangles uniformly; `pixels` needs the method "
+         "`bisection`, `auto`, `grid` or `tessellation`"},
         {RED "displacement: { method: grid, level: 65 }\nobjects: []\n",
          "2:38: error: level is 65; it must be from 0 to 64"},
-        {RED "lights: [{ light: Sky }]\n", "2:10: error: the scene has no sky that could shine"},
+        {RED "lights: [{ light: Sky }]\n", "2:10: error: the scene has no sky that can emit light"},
         {RED "lights: [{ light: Area, u: [1, 1, 0], v: [-2, -2, 0] }]\n",
-         "2:42: error: u and v span nothing"},
+         "2:42: error: u and v are parallel"},
         {RED "lights: [{ light: Area, shadows: exact }]\n",
-         "2:34: error: an Area casts shadows by map, or none, and not by exact"},
+         "2:34: error: an Area light casts shadows by map or none, not by exact"},
         {RED "lights: [{ light: Area, bothSides: 2 }]\n",
-         "2:36: error: bothSides wants true or false, not the number 2"},
+         "2:36: error: bothSides expects true or false, not the number 2"},
         {RED "camera: { camera: Perspective, target: [0, -5, 2] }\n",
-         "2:40: error: the way from position to target has no direction"},
+         "2:40: error: the vector from position to target has no direction"},
         {RED "camera: { camera: Perspective, position: [0, 0, 5] }\n",
          "2:9: error: up, seen along the view, has no direction"},
         {RED "camera: { camera: Fisheye }\n",
-         "2:19: error: no camera is called 'Fisheye'; there are Perspective, Orthographic"},
+         "2:19: error: unknown camera 'Fisheye'; there are Perspective, Orthographic"},
         {RED
          "camera: { camera: Orthographic, size: 6 }\nobjects: [{ object: Plane, material: red }]\n",
-         "2:9: error: a plane is behind this camera, at least in part of the picture: move its "
-         "position back, and add "
-         "as "
-         "much to its depth"},
+         "2:9: error: a plane is behind this camera in part of the image; move its position back, "
+         "and add the distance to its depth"},
         {RED "camera: { camera: Orthographic, size: 6 }\nobjects: [{ object: Plane, material: red, "
              "transform: { "
              "translation: [0, 0, -100] } }, { object: Plane, material: red }]\n",
-         "2:9: error: a plane is behind this camera, at least in part of the picture: move its "
-         "position back, and add "
-         "as "
-         "much to its depth"},
+         "2:9: error: a plane is behind this camera in part of the image; move its position back, "
+         "and add the distance to its depth"},
         {RED "image: { width: 0 }\n", "2:17: error: width is 0; it must be from 1 to 16384"},
         {RED "image: { width: 2.5 }\n",
-         "2:17: error: width wants a whole number, not the number 2.5"},
+         "2:17: error: width expects an integer, not the number 2.5"},
         {RED "toneMapping: { toneMapping: Gamma }\n",
-         "2:29: error: no toneMapping is called 'Gamma'; there are Clamp, "
-         "Filmic, Shoulder, Exponential, Linear, ReinhardDevlin, Drago"},
+         "2:29: error: unknown toneMapping 'Gamma'; there are Clamp, Filmic, Shoulder, "
+         "Exponential, Linear, ReinhardDevlin, Drago"},
         {RED "toneMapping: { toneMapping: Drago, bias: 2 }\n",
          "2:42: error: bias is 2.0; it must be from 0.01 to 1.0"},
         {RED "toneMapping: { toneMapping: ReinhardDevlin, exposure: 1 }\n",
          "2:45: error: ReinhardDevlin has no parameter 'exposure'; it has intensity, contrast, "
          "chromaticAdaptation, "
          "lightAdaptation"},
-        {RED "image: { tiles: grey }\n", "2:17: error: tiles wants true or false, not 'grey'"},
-        {RED "sky: blue\n", "2:6: error: no material 'blue' in the document; there are red"},
-        {RED "lights: []\nshadows: true\n", "3:1: error: a document has no 'shadows'; here it is "
-                                            "shadowMaps of the scene, or `shadows:` of a light"},
+        {RED "image: { tiles: grey }\n", "2:17: error: tiles expects true or false, not 'grey'"},
+        {RED "sky: blue\n", "2:6: error: the document has no material 'blue'; there are red"},
+        {RED "lights: []\nshadows: true\n", "3:1: error: a document has no key 'shadows'; here it "
+                                            "is shadowMaps of the scene, or `shadows:` of a light"},
         {RED "cammera: { camera: Perspective }\nlights: []\n",
-         "2:1: error: a document has no 'cammera'; did you mean 'camera'?"},
-        {"materials: [red]\nlights: []\n", "1:12: error: materials wants an object, not a list"},
+         "2:1: error: a document has no key 'cammera'; did you mean 'camera'?"},
+        {"materials: [red]\nlights: []\n", "1:12: error: materials expects an object, not a list"},
         {"materials: { red: { material: Phnog } }\nlights: []\n",
-         "1:31: error: no material is called 'Phnog'; did you mean 'Phong'?"},
+         "1:31: error: unknown material 'Phnog'; did you mean 'Phong'?"},
         {"colors: sRGB\nlights: []\n", NULL},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
@@ -242,7 +231,7 @@ static void triangles(void **state)
                                  "- { object: Sphere, detail: %d, radius: %d, material: red }\n",
                                  STEPS, i % 2 ? i : i + 1);
         if (more)
-            assert_fault(text, "131:3: error: more than 67108864 triangles in meshes that differ");
+            assert_fault(text, "131:3: error: more than 67108864 triangles in distinct meshes");
         else
             scene_free(read_heavy(text, &document)), matc_document_free(document);
     }

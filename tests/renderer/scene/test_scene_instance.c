@@ -10,18 +10,18 @@ static void faults(void **state)
         const char *text, *reported;
     } cases[] = {
         {RED "objects: [{ object: Instance, material: red }]\n",
-         "2:11: error: Instance wants 'of'"},
+         "2:11: error: Instance requires 'of'"},
         {RED "objects: [{ object: Instance, of: fri }]\ndefs: { fir: { object: Box, material: red "
              "} }\n",
-         "2:35: error: nothing is called 'fri' under `defs:`; did you mean 'fir'?"},
+         "2:35: error: no definition 'fri' in `defs:`; did you mean 'fir'?"},
         {RED "objects: [{ object: Instance, of: fir }]\n",
-         "2:35: error: nothing is called 'fir' under `defs:`"},
+         "2:35: error: no definition 'fir' in `defs:`"},
         {RED "objects: [{ object: Instance, of: [fir] }]\n",
-         "2:35: error: of wants the name of an object under `defs:`, not a list"},
+         "2:35: error: of expects the name of an object under `defs:`, not a list"},
         {RED "objects: [{ object: Instance, of: fir }]\ndefs: { fir: { map: Checker } }\n",
-         "2:35: error: of wants the name of an object under `defs:`, not a map or a material"},
+         "2:35: error: of expects the name of an object under `defs:`, not a map or a material"},
         {RED "objects: [{ object: Instance, of: fir }]\ndefs: { fir: { object: Box } }\n",
-         "3:14: error: Box wants 'material'"},
+         "3:14: error: Box requires 'material'"},
         {RED "objects: [{ object: Instance, of: fir, size: 2 }]\ndefs: { fir: { object: Box, "
              "material: red } }\n",
          "2:40: error: Instance has no parameter 'size'; it has of, transform, material, name"},
@@ -32,13 +32,13 @@ static void faults(void **state)
         {RED "objects: []\ndefs: { fir: { object: Box, sice: 2, material: red } }\n",
          "3:29: error: Box has no parameter 'sice'; did you mean 'size'?"},
         {RED "objects: []\ndefs: { fir: { object: Box, material: { material: Phnog } } }\n",
-         "3:51: error: no material is called 'Phnog'; did you mean 'Phong'?"},
+         "3:51: error: unknown material 'Phnog'; did you mean 'Phong'?"},
         {RED "objects: [{ object: Instance, of: a }]\ndefs:\n  a: { object: Instance, of: a }\n",
-         "4:30: error: 'a' contains itself"},
+         "4:30: error: the definition 'a' contains itself"},
         {RED "objects: [{ object: Instance, of: a }]\ndefs:\n  a: { object: Group, objects: [{ "
              "object: Instance, of: b }] "
              "}\n  b: { object: Group, objects: [{ object: Instance, of: a }] }\n",
-         "5:57: error: 'a' contains itself"},
+         "5:57: error: the definition 'a' contains itself"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
         assert_fault(cases[i].text, cases[i].reported);
@@ -134,7 +134,7 @@ static void instance_bombs(void **state)
         int length, times;
         const char *reported;
     } cases[] = {{30, 4, "more than 1048576 objects and groups"},
-                 {1000, 1, "nested deeper than 256 levels"},
+                 {1000, 1, "values are nested deeper than 256 levels"},
                  {100, 1, NULL}};
     for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
         static char text[1 << 17];

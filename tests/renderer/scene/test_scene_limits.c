@@ -84,7 +84,7 @@ static void triangles(void **state)
                           k + 1);
         repeat(to, "- { object: Parallelogram, material: { material: Phong } }\n", i);
     }
-    assert_border(texts[0], texts[1], "more than 67108864 triangles in meshes that differ");
+    assert_border(texts[0], texts[1], "more than 67108864 triangles in distinct meshes");
 }
 
 /* An Area is clipped at 10,000 times the distance from camera to target, 5 here, to each side of

@@ -336,8 +336,8 @@ static void colors_beside_volumes(void **state)
 static void cut_outs_beside_volumes(void **state)
 {
     (void)state;
-    static const char *const words[2] = {"light, as shadows are not colored\n",
-                                         "light: it takes OpenGL 4.3\n"};
+    static const char *const words[2] = {"method hybrid: shadows are not colored\n",
+                                         "method hybrid: needs OpenGL 4.3\n"};
     static char text[TEXT];
     for (int old = 0; old < 2; old++) {
         GlContext *gl = frame_context();

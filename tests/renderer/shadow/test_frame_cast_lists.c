@@ -109,14 +109,14 @@ static void capacity(void **state)
         size_t most;
         bool old, buffer;
     } cases[] = {
-        {"true", ".5", "a buffer of what is transparent there: 3360 bytes for 144 fragments\n",
-         3360, false, true},
-        {"true", ".5", "for 144 fragments, in 2 parts", 3359, false, true},
+        {"true", ".5", "lists of transparent fragments: 3360 bytes for 144 fragments\n", 3360,
+         false, true},
+        {"true", ".5", "for 144 fragments, in 2 tiles", 3359, false, true},
         {"true", ".5", "288 bytes for 144 fragments, in ", 288, false, true},
         {"true", ".5", "52 bytes for 144 fragments, in ", 52, false, true},
-        {"true", ".5", "take 52 bytes for 1 fragments, and there may be 51", 51, false, false},
-        {"true", "1", "a buffer of what is transparent there: 1056 bytes for 0 fragments\n", 0,
-         false, true},
+        {"true", ".5", "need 52 bytes for 1 fragments, but the limit is 51", 51, false, false},
+        {"true", "1", "lists of transparent fragments: 1056 bytes for 0 fragments\n", 0, false,
+         true},
         {"true", "0", "shadow 1 maps of 16 x 16, DEPTH32F, 1024 bytes", 0, false, false},
         {"false", ".5", "shadow 1 maps of 16 x 16, DEPTH32F, 1024 bytes", 0, false, false},
         {"true", ".5", "shadow 1 maps of 16 x 16, DEPTH32F, 1024 bytes", 0, true, false},
@@ -142,7 +142,7 @@ static void capacity(void **state)
                                                                  .list_bytes = cases[i].most,
                                                                  .transparency = "peeling"});
         if (!strstr(reported, cases[i].reported) ||
-            cases[i].buffer != (strstr(reported, "transparent there") != NULL))
+            cases[i].buffer != (strstr(reported, "lists of transparent") != NULL))
             fail_msg("case %d: %s", (int)i, reported);
         free(reported);
         gl_close(gl);
@@ -163,9 +163,9 @@ static void lacks_are_reported(void **state)
         "transparency: { map: "
         "Checker } } }\n";
     static const char *const reported[] = {
-        "shadow none falls from 1 area lights and 0 skies",
-        "shadow planes whose transparency varies cast none: it takes OpenGL 4.3",
-        "shadow what is transparent casts all or nothing: colours take OpenGL 4.3"};
+        "shadow no shadows from 1 area lights and 0 skies",
+        "shadow no shadows of planes with varying transparency: needs OpenGL 4.3",
+        "shadow transparent surfaces cast opaque shadows or none: colored shadows need OpenGL 4.3"};
     const MatcOptions options = frame_exact_options();
     for (int old = 0; old < 2; old++) {
         MatcDocument *document;

@@ -271,11 +271,11 @@ static void what_is_refused(void **state)
         const char *reported;
     } cases[] = {
         {"Directional", "volume", false,
-         "there is no view 'volume': no light casts hybrid shadows here"},
+         "view 'volume' is not available: no light of the scene casts hybrid shadows"},
         {"Directional, shadows: none", "wireframes", false,
-         "there is no view 'wireframes': no light casts hybrid shadows here"},
+         "view 'wireframes' is not available: no light of the scene casts hybrid shadows"},
         {HYBRID, "volumeAlone", true,
-         "the view 'volumeAlone' is the picture in other colours: as OpenEXR there is none"},
+         "view 'volumeAlone' is a false-color image and cannot be written as OpenEXR"},
         {HYBRID, "wireframe", true, NULL},
         {"Ambient", "wireframe", false, NULL},
     };
