@@ -211,7 +211,8 @@ def nav(site):
                   if p.startswith(shelf + "/") and site.titles[p] and not p.endswith((".csv.md",))]
         for place in sorted(places, key=lambda p: (order.index(p) if p in order else 999, p)):
             label = site.titles[place]
-            if list(site.titles.values()).count(label) > 1 and "-" in place:
+            alike = [p for p in site.titles if p.startswith(shelf + "/") and site.titles[p] == label]
+            if len(alike) > 1 and "-" in place:
                 label += f" ({os.path.splitext(os.path.basename(place))[0]})"
             lines.append(f"      - {quoted(label)}: {place}")
     lines.append("  - Source:")
