@@ -122,7 +122,8 @@ void docs_scenes(Text *out)
                   "the first section.\nThe kind of a part stands under the part's name, such as "
                   "`object: Sphere` or `light: Spot`. Where a\npart has a single kind, no name "
                   "is needed: `image: { width: 640 }`.\n[language.md](language.md#scenes) "
-                  "introduces scenes, and `matc --explain Sphere` prints the entry\nof one kind.\n");
+                  "introduces scenes, and `matc --explain Sphere` prints the entry\n"
+                  "of one kind.\n");
     for (int sort = 0; sort < SCENE_SORT_COUNT; sort++) {
         text_format(out, "\n## %s\n\n", scene_sort_table[sort].name);
         put_wrapped(out, scene_sort_table[sort].doc, 0);
@@ -204,8 +205,8 @@ static void put_layout(Text *out, const LayoutRow *layout)
 void docs_layouts(Text *out)
 {
     text_put(out, "# Built-in layouts\n\n" MADE
-                  "A place is a render target with its components or bits. [layouts.md](layouts.md) "
-                  "explains cases, and\nhow to write a layout.\n");
+                  "A place is a render target with its components or bits. "
+                  "[layouts.md](layouts.md) explains cases, and\nhow to write a layout.\n");
     for (int i = 0; i < LAYOUT_COUNT; i++)
         put_layout(out, &layout_table[i]);
     text_put(out, "\n## Encodings\n\n");
