@@ -252,6 +252,8 @@ if(NOT SANITIZED)
   matc_test(test_valid_spirv ${PROGRAM_test_valid} spirv)
   matc_test(pages sh tests/docs/pages.sh $<TARGET_FILE:matc> $<TARGET_FILE:matview>)
   matc_test(pictured sh tests/docs/pictured.sh $<TARGET_FILE:matc> ${PROJECT_BINARY_DIR}/reference)
+  matc_test(reference sh tests/docs/reference.sh $<TARGET_FILE:docs>)
+  matc_test(site sh tests/docs/site.sh ${PROJECT_BINARY_DIR})
   matc_test(pictures sh tests/docs/pictures.sh $<TARGET_FILE:matc> $<TARGET_FILE:matview>)
   matc_test(howto sh tests/docs/howto.sh $<TARGET_FILE:matc> $<TARGET_FILE:matview>)
   matc_test(tutorial sh tests/docs/tutorial.sh $<TARGET_FILE:matc> $<TARGET_FILE:matview>)
@@ -262,7 +264,7 @@ endif()
 
 # Usual seconds of tests other than test_*.c; later runs go by measured times.
 list(APPEND LONG howto=15 install_make=101 add=81 pictures=80 batch=78 install=66 figures=57 subproject=55
-  command_line=46 schema=33 test_valid_spirv=33 package=26 links=25 special=23 view=22 order=21
+  command_line=46 site=25 schema=33 test_valid_spirv=33 package=26 links=25 special=23 view=22 order=21
   fuzz_scene_seeds=21 folder=16 names=15 pages=12 options=10 layers=10)
 foreach(pair ${LONG})
   string(REPLACE "=" ";" pair ${pair})

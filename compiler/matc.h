@@ -41,16 +41,18 @@ extern "C" {
 #define MATC_API
 #endif
 
+/* -- Version and options */
+
 #define MATC_VERSION "0.2.0"
 /* Returns the version of the loaded library, which may differ from this header's. */
 MATC_API const char *matc_version(void);
 
 typedef struct MatcDocument MatcDocument;
 typedef struct MatcProgram MatcProgram;
+typedef struct MatcLayout MatcLayout;
 /* Cache of vertex programs that glslang has linked, for a host that compiles many materials: a
  * vertex program is parsed once for all fragment programs with the same inputs. Thread-safe. */
 typedef struct MatcLinked MatcLinked;
-typedef struct MatcLayout MatcLayout;
 
 /* Returns the bytes of a file in memory from malloc, or NULL and a reason. */
 typedef char *(*MatcReadFile)(void *user, const char *path, size_t *size, const char **why);
@@ -150,6 +152,8 @@ MATC_API bool matc_options_set(MatcOptions *options, const char *name, const cha
  * valid values. */
 MATC_API const char *matc_options_fault(const MatcOptions *options);
 
+/* -- Documents */
+
 /* Reads and resolves a document. Never returns NULL: faults are in its diagnostics. A document
  * with faults, or of definitions only, has no materials.
  * `name` is used in messages, for relative paths, and to distinguish JSON (".json") from YAML. */
@@ -177,6 +181,8 @@ MATC_API char *matc_explain_definition(MatcDocument *document, const char *name)
  * that editors can complete and check their uses: names, parameters and descriptions. From
  * malloc; NULL: the document has faults. */
 MATC_API char *matc_document_schema(MatcDocument *document);
+
+/* -- Programs */
 
 typedef enum {
     MATC_FRAGMENT = 1, /* GLSL of the fragment program */
@@ -238,6 +244,8 @@ MATC_API const char *matc_pass(const MatcProgram *program);
  * program is not ok. */
 MATC_API const char *matc_opacity(MatcProgram *program);
 
+/* -- Displacement, by the C reference */
+
 /* Returns the max displacement of a vertex in world units: `displacementBound`, or a bound
  * proved from the maps. 0: no displacement; INFINITY: unknown. */
 MATC_API double matc_displacement_bound(const MatcProgram *program);
@@ -279,6 +287,8 @@ MATC_API bool matc_solid(const MatcDocument *document, int material, const MatcO
 MATC_API bool matc_set_default(MatcDocument *document, const char *param, const double *components,
                                int count, double *before);
 
+/* -- Keys, and constants of a program */
+
 /* Returns a hash of everything that determines the program's text, as 32 hexadecimal digits:
  * programs with equal keys are equal. Excluded are names of materials and temporaries, and
  * numbers in the uniform block. */
@@ -304,6 +314,8 @@ MATC_API const MatcConstant *matc_constant(const MatcProgram *program, int index
 MATC_API int matc_constant_bytes(const MatcProgram *program); /* size of the block */
 /* Writes the content of the uniform block: matc_constant_bytes bytes. */
 MATC_API void matc_constant_block(const MatcProgram *program, void *block);
+
+/* -- Textures, render targets, uniforms and attributes of a program */
 
 /* A texture that the program samples; owned by the program, but its texels by the document,
  * which must still exist. Row 0 is at v = 0. */
@@ -366,6 +378,8 @@ typedef struct {
 MATC_API int matc_attribute_count(const MatcProgram *program);
 MATC_API const MatcAttribute *matc_attribute(const MatcProgram *program, int index);
 
+/* -- Values at a point */
+
 /* Evaluates all slots of a material at a point by the C reference in double precision: a line
  * per slot, with its name and components. `point` sets channels and mesh attributes: "u=0.3
  * v=0.4 x=1 ... front=0 @wetness=1 @color.r=0.5". The text is from malloc; NULL and a message in
@@ -381,12 +395,16 @@ typedef struct {
 MATC_API MatcNumbers matc_eval_slot(const MatcDocument *document, int material, const char *point,
                                     const MatcOptions *options);
 
+/* -- Diagnostics */
+
 typedef enum { MATC_TEXT, MATC_JSON } MatcForm;
 /* Return all diagnostics so far, in gcc's form or as a JSON array; owned by the document or
  * program. "" in both forms if there are none. */
 MATC_API const char *matc_diagnostics(MatcDocument *document, MatcForm form);
 MATC_API const char *matc_program_diagnostics(MatcProgram *program, MatcForm form);
 MATC_API int matc_error_count(const MatcDocument *document);
+
+/* -- Layouts */
 
 /* Reads a layout from YAML or JSON; docs/reference/layouts.md lists its keys. Never returns
  * NULL; if the layout is not ok, see its diagnostics. */
@@ -439,6 +457,8 @@ MATC_API void matc_ranges_join(MatcRanges *ranges, const MatcRanges *other);
  * materials. */
 MATC_API MatcLayout *matc_layout_for(const MatcRanges *ranges, double error,
                                      const MatcOptions *options);
+
+/* -- Reference pages and schemas */
 
 /* Return descriptions from matc's tables, from malloc: the JSON Schema of "document" (or NULL),
  * "layout", "manifest" or "reflection" (NULL for other names); the list of all names. */

@@ -204,8 +204,11 @@ void describe_message(Text *out, const DiagRow *diag)
             text_char(out, *at);
         else if (*++at == '%')
             text_char(out, '%');
-        else if (!is_hint(format, at - 1))
-            text_put(out, "...");
+        else {
+            if (!is_hint(format, at - 1))
+                text_put(out, "...");
+            at += strspn(at, "l"); /* %ld */
+        }
     }
 }
 

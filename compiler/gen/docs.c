@@ -1,7 +1,8 @@
-/* Host program that generates reference.md, diagnostics.md and functions.yaml from the tables
- * and the examples. docs OUTPUT_FOLDER EXAMPLES_FOLDER. Pictures are referred to as
+/* Host program that generates reference.md, functions.yaml and pages of docs/reference from
+ * the tables and the examples. docs OUTPUT_FOLDER EXAMPLES_FOLDER. Pictures are referred to as
  * pictures/<stem of the example>.png; matview renders them. */
 #include "docs_formulas.h"
+#include "docs_pages.h"
 #include "compiler/describe/describe.h"
 #include "compiler/matc.h"
 #include "compiler/library/reference.h"
@@ -229,41 +230,6 @@ static void put_waves(Text *out)
         }                                                                                          \
     } while (0)
 
-static void put_case(Text *out, const LayoutRow *layout, int number)
-{
-    Placement placement;
-    layout_allocate(layout, number, &placement);
-    if (number)
-        text_format(out, "\nCase %d: %s\n", number, layout->cases[number].doc);
-    text_put(out, "\n| place | slot | encoding | stored | error at most |\n| --- | --- | --- | --- "
-                  "| --- |\n");
-    for (int i = 0; i < placement.count; i++) {
-        const Piece *piece = &placement.pieces[i];
-        text_put(out, "| ");
-        describe_allocation(out, layout, piece);
-        text_put(out, " | ");
-        describe_piece(out, piece);
-        text_put(out, " | ");
-        layout_put_encoding(out, piece->field);
-        text_put(out, " | ");
-        layout_put_range(out, piece->field);
-        text_put(out, " | ");
-        describe_error(out, piece->field);
-        text_put(out, " |\n");
-    }
-}
-
-static void put_layout(Text *out, const LayoutRow *layout)
-{
-    text_format(out, "\n## Layout %s\n\n%s %d bytes a pixel:", layout->name, layout->doc,
-                layout_bytes(layout));
-    for (int target = 0; target < layout_targets(layout); target++)
-        text_format(out, " `%s`", format_table[layout->formats[target]].name);
-    text_char(out, '\n');
-    for (int number = 0; number < layout->case_count; number++)
-        put_case(out, layout, number);
-}
-
 static void put_contents(Text *out)
 {
     for (int kind = 0; kind < KIND_COUNT; kind++) {
@@ -298,31 +264,11 @@ static void put_reference(Text *out)
     LIST(out, "Targets", "target", target_table, TARGET_COUNT);
     LIST(out, "Passes", "pass", pass_table, PASS_COUNT);
     LIST(out, "Normals of a G-buffer", "space", normals_table, NORMALS_COUNT);
-    for (int i = 0; i < LAYOUT_COUNT; i++)
-        put_layout(out, &layout_table[i]);
-    LIST(out, "Encodings", "encoding", encoding_table, ENCODING_COUNT);
     text_put(out, "\n## Variants\n\n| option | choice | |\n| --- | --- | --- |\n");
     for (int i = 0; i < CHOICE_COUNT; i++) {
         const AxisRow *axis = &axis_table[choice_table[i].axis];
         text_format(out, "| `--%s` | `%s`%s | %s |\n", axis->name, choice_table[i].name,
                     axis->first == i ? " (default)" : "", choice_table[i].doc);
-    }
-}
-
-static void put_diagnostics(Text *out)
-{
-    text_put(
-        out,
-        "# Diagnostics\n\nWhat matc " MATC_VERSION " says about documents. The names are those of "
-        "`--diagnostics=json`.\n\n| name | severity | message | |\n| --- | --- | --- | --- |\n");
-    for (int i = 0; i < DIAG_COUNT; i++) {
-        const DiagRow *diag = &diag_table[i];
-        Text message = text_new(out->arena);
-        describe_message(&message, diag);
-        text_format(out, "| `%s` | %s |", diag->name, severity_names[diag->severity]);
-        put_cell(out, message.at);
-        put_cell(out, diag->doc);
-        text_char(out, '\n');
     }
 }
 
@@ -334,13 +280,19 @@ int main(int argc, char **argv)
     }
     examples = argv[2];
     Arena arena = {0};
-    Text reference = text_new(&arena), diagnostics = text_new(&arena), functions = text_new(&arena);
-    put_reference(&reference);
-    put_diagnostics(&diagnostics);
-    docs_function_document(&functions);
-    write_file(argv[1], "functions.yaml", &functions);
-    write_file(argv[1], "reference.md", &reference);
-    write_file(argv[1], "diagnostics.md", &diagnostics);
+    static const struct {
+        const char *name;
+        void (*put)(Text *);
+    } files[] = {{"functions.yaml", docs_function_document},
+                 {"reference.md", put_reference},
+                 {"scenes.md", docs_scenes},
+                 {"diagnostics.md", docs_diagnostics},
+                 {"layout-tables.md", docs_layouts}};
+    for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
+        Text text = text_new(&arena);
+        files[i].put(&text);
+        write_file(argv[1], files[i].name, &text);
+    }
     arena_free(&arena);
     return 0;
 }

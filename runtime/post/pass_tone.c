@@ -221,7 +221,7 @@ static bool pass_tone_changed(Renderer *renderer, unsigned what)
 
 const FramePass pass_tone = {
     .plan = {"tone", .reads = FRAME_BIT(light) | FRAME_BIT(edge) | FRAME_BIT(tools),
-             .fills = FRAME_BIT(shown), .own = FRAME_BIT(edge)},
+             .fills = FRAME_BIT(final), .own = FRAME_BIT(edge)},
     .when = "the final image is requested",
     .needed = pass_tone_needed,
     .make = pass_tone_make,

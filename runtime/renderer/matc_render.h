@@ -32,10 +32,12 @@
 extern "C" {
 #endif
 
+/* -- Scenes */
+
 typedef struct MatcScene MatcScene;
 typedef struct MatcRenderer MatcRenderer;
 
-/* Reads a document that is a scene; docs/reference/language.md lists its keys. Returns NULL if
+/* Reads a document that is a scene; docs/reference/scenes.md lists its keys. Returns NULL if
  * the document has errors or no keys of a scene; *document then has the messages. The caller
  * owns the document and frees it after the scene. NULL `options` are the defaults. */
 MATC_API MatcScene *matc_scene_read(const char *name, const char *text, size_t size,
@@ -94,6 +96,8 @@ MATC_API bool matc_scene_remove_object(MatcScene *scene, int object);
 /* Shows or hides an object. A hidden object is not drawn and casts no shadows. */
 MATC_API bool matc_scene_set_visible(MatcScene *scene, int object, bool visible);
 
+/* -- Renderers */
+
 typedef void (*MatcRendererProc)(void);
 typedef struct {
     size_t size; /* sizeof(MatcRendererOptions), as the caller was compiled */
@@ -115,6 +119,8 @@ MATC_API MatcRenderer *matc_renderer_open(const MatcRendererOptions *options, ch
 MATC_API void matc_renderer_close(MatcRenderer *renderer);
 /* Returns the reason why the last call returned false. */
 MATC_API const char *matc_renderer_error(const MatcRenderer *renderer);
+
+/* -- Drawing a scene, and changes to it */
 
 /* Makes the resources for drawing the scene: programs, meshes, textures, targets. Reuses those
  * of the previous scene. */
@@ -154,6 +160,8 @@ MATC_API bool matc_renderer_set_size(MatcRenderer *renderer, int width, int heig
 /* Applies the changes of matc_scene_add_object(), _remove_object() and _set_visible() to the
  * scene in use. Keeps programs, textures, meshes, and the values of parameters. */
 MATC_API bool matc_renderer_update(MatcRenderer *renderer);
+
+/* -- Pictures */
 
 /* Draws a frame and copies the picture to a framebuffer of the caller's: x, y, width and height
  * of a rectangle in pixels, from the lower left. A rectangle of another size than the picture is

@@ -64,7 +64,7 @@ const char *renderer_view_canonical(const char *view)
 {
     static const struct {
         const char *old, *name;
-    } aliases[] = {{"final", "final"}, {"ao", "ao"}};
+    } aliases[] = {{"shown", "final"}, {"open", "ao"}};
     for (size_t i = 0; view && i < sizeof aliases / sizeof *aliases; i++)
         if (!strcmp(view, aliases[i].old))
             return aliases[i].name;
@@ -78,14 +78,15 @@ static bool is_view(const char *view)
 
 Renderer *renderer_open(GlContext *gl, const RendererOptions *options)
 {
-    if (options->view && !is_target(options->view) &&
-        renderer_find_slot(options->view) == SLOT_COUNT)
+    RendererOptions named = *options;
+    const char *view = named.view = renderer_view_canonical(options->view);
+    options = &named;
+    if (!is_view(view))
         return gl_fail(
                    gl,
-                   "unknown view '%s'; expected shown, wireframe, volume, light, depth, shadow, "
-                   "positions, voxels, open, "
-                   "indirect, bent, visibility, or a slot",
-                   options->view),
+                   "unknown view '%s'; expected final, wireframe, volume, light, depth, shadow, "
+                   "positions, voxels, ao, indirect, bent, visibility, or a slot",
+                   view),
                NULL;
     if (!transparency_check(gl, options) || !light_far_check(gl, options))
         return NULL;
