@@ -1,8 +1,8 @@
-/* A table with a row for each function that a public header declares. A function without a row
- * fails.
+/* A table with one row per function that a public header declares; a function without a row
+ * fails the test.
  *
- *     static const ApiRow rows[] = {{"matc_read", wrong_read}, ...};
- *     api_rows_run("compiler/matc.h", rows, sizeof rows / sizeof *rows); */
+ *   static const ApiRow rows[] = {{"matc_read", wrong_read}, ...};
+ *   api_rows_run("compiler/matc.h", rows, sizeof rows / sizeof *rows); */
 #ifndef API_ROWS_H
 #define API_ROWS_H
 #include <stdio.h>

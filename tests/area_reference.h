@@ -1,6 +1,7 @@
-/* Light of radiance 1 from a parallelogram on a point, in double, for tests: Arvo's double axis
- * moments (Irradiance Tensors, SIGGRAPH 1995) by their recurrences over whole exponents; and, for
- * any exponent, sums over ever smaller triangles, which know nothing of arcs. */
+/* Reference for area lights, in double: the light of a parallelogram of radiance 1 at a point.
+ * Integer exponents use Arvo's double axis moments (Irradiance Tensors, SIGGRAPH 1995) by
+ * recurrence. Any exponent can use adaptive quadrature over triangles of the light, which shares
+ * no formula with the moments. */
 #ifndef MATC_AREA_REFERENCE_H
 #define MATC_AREA_REFERENCE_H
 #include <math.h>

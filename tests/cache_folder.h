@@ -1,5 +1,4 @@
-/* A folder for a cache of a test, and what lies in it: entries by their keys, what it says of
- * itself. */
+/* A cache folder for a test, and access to its content: entries by key, and its statistics. */
 #ifndef TESTS_CACHE_FOLDER_H
 #define TESTS_CACHE_FOLDER_H
 #include "compiler/tool/cache.h"

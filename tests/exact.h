@@ -1,5 +1,5 @@
 /* Arithmetic of 200 bits by MPFR, for formulas written as expressions: every result is a new
- * number, all of which exact_forget() gives back. And documents' values by the oracle, to compare
+ * number, and exact_forget() frees them all. Also the oracle's values of documents, to compare
  * with. */
 #ifndef MATC_EXACT_H
 #define MATC_EXACT_H

@@ -1,6 +1,6 @@
-/* OpenEXR files of known texels, above 1 and below 0 too. Those without compression are written
- * byte by byte, by the specification of their layout and with nothing of a library's; those with
- * one, and tiles, by OpenEXR's own writer. */
+/* OpenEXR files of known texels, above 1 and below 0 too. Uncompressed files are written byte by
+ * byte, by the specification and without a library; compressed and tiled files by OpenEXR's own
+ * writer. */
 #ifndef TESTS_EXR_FILE_H
 #define TESTS_EXR_FILE_H
 #include "tests/picture.h"

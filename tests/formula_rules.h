@@ -1,5 +1,5 @@
-/* Meaning of the words of formulas, from the mathematics, in long double: for test_expression.c. It
- * uses nothing of matc. */
+/* Meaning of the names and operators of formulas, from mathematics, in long double: for
+ * test_expression.c. Uses no code of matc. */
 #ifndef MATC_FORMULA_RULES_H
 #define MATC_FORMULA_RULES_H
 #include <math.h>

@@ -1,5 +1,5 @@
-/* Helpers of the tests of the GL layer: a context in software, programs in every language that it
- * takes, their uniforms. */
+/* Helpers of the GL layer's tests: a software context, programs in every GLSL version that the
+ * context accepts, and their uniforms. */
 #ifndef TESTS_GL_TEXTS_H
 #define TESTS_GL_TEXTS_H
 #include "runtime/gl/context.h"

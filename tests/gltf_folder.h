@@ -1,4 +1,4 @@
-/* A folder of glTF files for a test, and the corners that their meshes have. */
+/* A folder of glTF files for a test, and the expected corners of their meshes. */
 #ifndef TESTS_GLTF_FOLDER_H
 #define TESTS_GLTF_FOLDER_H
 #include "tests/scene_text.h"

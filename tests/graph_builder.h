@@ -1,5 +1,5 @@
-/* Small resolved documents, made by hand: nodes with the defaults of the tables, and setters for
- * what differs. A Builder owns all it makes. */
+/* Small resolved documents made by hand: nodes with the tables' defaults, and setters for other
+ * values. A Builder owns all that it makes. */
 #ifndef MATC_GRAPH_BUILDER_H
 #define MATC_GRAPH_BUILDER_H
 #include "compiler/graph/graph.h"

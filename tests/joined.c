@@ -1,6 +1,6 @@
-/* Most tests as one program (cmake -DMATC_TESTS_JOINED=ON): joined NAME ARGUMENTS... runs the main
- * of NAME.c, which is called NAME_main here. JOINED_TESTS, a file that cmake writes, has a row for
- * each: TEST(name, void) or TEST(name, ARGUMENTS), by what its main takes. */
+/* Most tests as one program (cmake -DMATC_TESTS_JOINED=ON): joined NAME ARGUMENTS... runs the
+ * main of NAME.c, which is called NAME_main here. JOINED_TESTS, a file that cmake writes, has a
+ * row for each test: TEST(name, void) or TEST(name, ARGUMENTS), by the parameters of its main. */
 #include <stdio.h>
 #include <string.h>
 

@@ -1,5 +1,4 @@
-/* Documents of a Phong that says every slot, with sets of values: plain, hostile and random
- * ones. */
+/* Documents of a Phong with every slot, and sets of slot values: plain, hostile and random ones. */
 #ifndef TESTS_LAYOUT_VALUES_H
 #define TESTS_LAYOUT_VALUES_H
 #include "tests/value/documents.h"

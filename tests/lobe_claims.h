@@ -1,5 +1,5 @@
-/* Properties of any lobe, checked at pixels that a program drew: reciprocity, and a white furnace.
- * */
+/* Properties that every lobe must have, checked at pixels that a program drew: reciprocity, and
+ * a white furnace. */
 #ifndef MATC_LOBE_CLAIMS_H
 #define MATC_LOBE_CLAIMS_H
 #include <math.h>

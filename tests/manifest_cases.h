@@ -1,4 +1,4 @@
-/* Documents of test_manifest.c, and the manifests of batches of them, as they should be. */
+/* Documents of test_manifest.c, and the expected manifests of batches of them. */
 #ifndef TESTS_MANIFEST_CASES_H
 #define TESTS_MANIFEST_CASES_H
 #include "compiler/matc.h"

@@ -1,4 +1,4 @@
-/* Numbers of the C references against others. */
+/* Compares numbers of the C references with expected ones. */
 #ifndef TESTS_NEAR_H
 #define TESTS_NEAR_H
 #include "compiler/library/reference.h"

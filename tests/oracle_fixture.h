@@ -1,5 +1,5 @@
-/* Helpers of the oracle's tests: points, and the comparison of one channel of a map at a point with
- * a number. */
+/* Helpers of the oracle's tests: points, and comparison of a map's channel at a point with a
+ * number. */
 #ifndef MATC_ORACLE_FIXTURE_H
 #define MATC_ORACLE_FIXTURE_H
 #include "tests/graph_builder.h"

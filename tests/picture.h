@@ -1,5 +1,5 @@
-/* Picture files that a test makes in memory, so that their texels are known, and what the product
- * reads out of them. */
+/* Picture files that a test makes in memory, so that their texels are known, and their texels as
+ * the product reads them. */
 #ifndef TESTS_PICTURE_H
 #define TESTS_PICTURE_H
 #include "compiler/document.h"

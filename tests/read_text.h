@@ -1,4 +1,4 @@
-/* A text through the reader alone: any value, not what a material must be. */
+/* Reads a text with the reader alone, as any value, not only as a material. */
 #ifndef MATC_READ_TEXT_H
 #define MATC_READ_TEXT_H
 #include "compiler/read/tree.h"

@@ -1,4 +1,4 @@
-/* A Rig for a test's state, whose faults are the test's, and scenes that are drawn by it. */
+/* A Rig as a test's state, and scenes drawn by it; a failure ends the test. */
 #ifndef TESTS_RIG_STATE_H
 #define TESTS_RIG_STATE_H
 #include "tests/draw/rig.h"

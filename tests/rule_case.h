@@ -1,5 +1,5 @@
-/* Results of a pass of the optimizer on expressions, against results worked out by hand; before and
- * after are evaluated, too. */
+/* Results of an optimizer pass on expressions, against results worked out by hand; both versions
+ * are also evaluated and compared. */
 #ifndef TESTS_RULE_CASE_H
 #define TESTS_RULE_CASE_H
 #include "compiler/ir/fold.h"

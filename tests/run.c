@@ -1,10 +1,11 @@
-/* The golden runner. For every document in examples/: tests/golden/<name>.ir and .frag, and .json
- * for those in no folder below; and for what displaces, .comp, its compute program; for
- * examples/layouts/: the page of the layout, .txt, and both sides of it; for every document or
- * layout in tests/errors/: the diagnostics beside it, <name>.err; for every
- * tests/ir/<pass>-<case>.ir: what that pass makes of it, beside it, .out. `run FOLDER` compares;
- * `run FOLDER --update` rewrites what differs and lists it: read the difference before you commit
- * it. Under CI it does not update. */
+/* The golden runner. Compares output with files that are stored:
+ *   for every document in examples/       tests/golden/<name>.ir and .frag; .json unless in a
+ *                                         subfolder; .comp, its compute program, if it displaces
+ *   for every file in examples/layouts/   the layout's page, .txt, and GLSL to pack and unpack it
+ *   for every file in tests/errors/       its diagnostics, <name>.err next to it
+ *   for every tests/ir/<pass>-<case>.ir   the pass' result, .out next to it
+ * `run FOLDER` compares; `run FOLDER --update` rewrites files that differ and lists them: read the
+ * difference before you commit it. Under CI it does not update. */
 #include "compiler/matc.h"
 #include "compiler/opt/opt.h"
 #include "compiler/base/output.h"

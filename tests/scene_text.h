@@ -1,4 +1,4 @@
-/* Scenes from texts, for tests. */
+/* Reads scenes from texts, for tests. */
 #ifndef MATC_SCENE_TEXT_H
 #define MATC_SCENE_TEXT_H
 #include "runtime/scene_reader/scene_read.h"

@@ -1,8 +1,7 @@
-/* Numbers of a Scene against numbers written down; for tests. A member is compared by its name in
- * both:
+/* Compares numbers of a Scene with expected ones, for tests. A member has one name in both:
  *
- *     CHECK(half)            is->half against should_be->half
- *     CHECK_LIST(position)   each component */
+ *   CHECK(half)            is->half against should_be->half
+ *   CHECK_LIST(position)   each component */
 #ifndef TESTS_SCENE_VALUES_H
 #define TESTS_SCENE_VALUES_H
 #include "tests/scene_text.h"

@@ -1,4 +1,4 @@
-/* Scenes of texts whose pictures are read whole, as the renderer takes them; for tests. */
+/* Scenes from texts with their pictures fully loaded, as the renderer needs them; for tests. */
 #include "runtime/scene_reader/scene_read.h"
 #ifndef TESTS_SCENE_WHOLE_H
 #define TESTS_SCENE_WHOLE_H

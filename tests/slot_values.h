@@ -1,4 +1,4 @@
-/* Values of a document's slots by the reference, beside published numbers. */
+/* The C reference's values of a document's slots, against published numbers. */
 #ifndef TESTS_SLOT_VALUES_H
 #define TESTS_SLOT_VALUES_H
 #include "tests/test.h"

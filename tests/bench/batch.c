@@ -1,6 +1,6 @@
-/* matbench batch: how fast many materials are compiled by one process, beside glslang's own time
- * for their programs, with and without validation and from a cache; how its memory grows with their
- * number; and what a scene saves (batch_scene.c). */
+/* matbench batch: the rate at which one process compiles many materials, next to glslang's own
+ * time for their programs, with and without validation and from a cache; the growth of memory
+ * with the number of materials; and what a scene saves (batch_scene.c). */
 #include "batch.h"
 #include "batch_documents.h"
 #include "matbench.h"

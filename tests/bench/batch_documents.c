@@ -1,7 +1,7 @@
-/* Materials in large numbers. The different ones are numbers in a mixed radix, a digit for each
- * choice of structure. Those of a scene are filled in from texts, a text for each family:
+/* Generates many materials. Distinct materials are numbered in a mixed radix, with one digit for
+ * each choice of structure. Materials of a scene are made from templates, one for each family:
  *     $c  a color             $d  a dark color        $n  a number in [0, 1]
- *     $p  a picture's name    $s  a scale in [1, 16]  <? ... ?>  a part that a third of them has */
+ *     $p  a picture's name    $s  a scale in [1, 16]  <? ... ?>  a part in one third of them */
 #include "batch_documents.h"
 #include <stdio.h>
 #include <string.h>

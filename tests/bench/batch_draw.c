@@ -1,4 +1,4 @@
-/* Programs, constants, textures and targets from a manifest. */
+/* Reads programs, constants, textures and targets from a manifest. */
 #include "batch_draw.h"
 #include "runtime/gl/message.h"
 #include <stdint.h>

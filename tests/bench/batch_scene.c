@@ -1,6 +1,6 @@
-/* Savings in a scene of 500 materials, such as a game has: programs that differ in constants only
- * are one, layouts are made for the materials, and a pass computes only what it needs. Each with
- * and without. */
+/* Savings in a scene of 500 materials, a usual number in a game: programs that differ in
+ * constants only are shared, layouts are made for the set of materials, and a pass computes only
+ * its own outputs. Each saving is measured by comparison with the same scene without it. */
 #include "batch.h"
 #include "batch_documents.h"
 #include "batch_draw.h"

@@ -1,7 +1,7 @@
-/* matbench cells: what cells are replaced with where they are finer than a pixel, by integration
- * over random points and squares: the rows of grammar/cells.def, in its order.
- * tests/compiler/mean/test_statistics_cells.c holds that table against the same integrals with
- * other points. */
+/* matbench cells: computes the mean values that replace cells smaller than a pixel, by
+ * integration over random points and squares, and prints the rows of grammar/cells.def in its
+ * order. tests/compiler/mean/test_statistics_cells.c compares that table with the same integrals
+ * over other points. */
 #include "matbench.h"
 #include "compiler/library/cells.h"
 #include "compiler/library/java_random.h"

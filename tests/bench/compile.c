@@ -1,6 +1,6 @@
-/* matbench compile: how long each stage takes (median of many runs in one process), how the time of
- * the processor grows with the document, how long a process takes, and what share of all that is
- * glslang's. */
+/* matbench compile: the time of each compiler stage (median of many runs in one process), the
+ * growth of CPU time with the size of the document, the time of a whole process, and glslang's
+ * share in all of these. */
 #include "matbench.h"
 #include "compiler/matc.h"
 #include "compiler/pipeline.h"

@@ -1,5 +1,5 @@
-/* A checker on a plane up to its horizon: what filtering costs, and how far it is from 4096 samples
- * a pixel. */
+/* A checker on a plane up to its horizon: the cost of filtering, and the error against 4096
+ * samples per pixel. */
 #include "error.h"
 #include "matbench.h"
 #include <math.h>

@@ -1,5 +1,6 @@
-/* Every layout: whatever a slot reads back as is packed and read back once more, and must come back
- * the same, so that no code is lost between a shader, a render target and the next shader. */
+/* Round trip of every layout: each value that a slot reads back is packed and read back a second
+ * time, and must be equal, so that no code is lost between a shader, a render target and the
+ * next shader. */
 #include "error.h"
 #include "matbench.h"
 #include <math.h>

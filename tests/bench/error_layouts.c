@@ -1,5 +1,5 @@
-/* Every built-in layout: what comes back of each slot, over a sweep of its values, and what packing
- * and reading back cost. */
+/* Every built-in layout: the error of each slot after a round trip, over a sweep of its values,
+ * and the cost of packing and unpacking. */
 #include "error.h"
 #include "compiler/describe/describe.h"
 #include "compiler/evaluate.h"

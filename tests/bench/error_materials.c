@@ -1,4 +1,4 @@
-/* Materials from small to hostile, each in every combination of choices. */
+/* Materials from small to hostile, each with every combination of options. */
 #include "error.h"
 #include "matbench.h"
 #include <math.h>

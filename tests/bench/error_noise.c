@@ -1,4 +1,4 @@
-/* How fast noise is, and what fading its octaves brings at a distance. */
+/* Speed of noise, and the time and error when octaves fade with distance. */
 #include "error.h"
 #include "matbench.h"
 #include <math.h>

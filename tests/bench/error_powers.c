@@ -1,4 +1,5 @@
-/* x^32 by every choice of the axis powers: the error in units in the last place, and the time. */
+/* x^32 by every implementation of the axis powers: the error in units in the last place, and the
+ * time. */
 #include "error.h"
 #include "matbench.h"
 #include "compiler/evaluate.h"

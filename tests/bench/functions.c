@@ -1,6 +1,7 @@
-/* matbench functions: what a driver makes of functions of which GLSL promises little or nothing,
- * and of waves that are made of them, drawn at a grid of floats and compared with the C library in
- * double: the worst error seen, beside what docs/reference/stability.md states of Mesa. */
+/* matbench functions: the accuracy of the driver's built-in functions for which GLSL promises
+ * little or nothing, and of waves that are made of them. They are drawn on a grid of floats and
+ * compared with the C library in double. Prints the worst error next to the bound that
+ * docs/reference/stability.md states for Mesa. */
 #include "matbench.h"
 #include "tests/draw/canvas.h"
 #include <math.h>

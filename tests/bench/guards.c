@@ -1,6 +1,6 @@
-/* matbench guards: the formulas of examples, how many guards of totality lowering made for them (a
- * quotient's, a root's, a logarithm's, a power's, an arc's, an exponential's), and how many are
- * left where intervals proved what they could. */
+/* matbench guards: counts, for the formulas of the examples, the totality guards that lowering
+ * makes (for quotients, roots, logarithms, powers, arcs and exponentials), and the guards that
+ * remain after interval analysis removed the provably unneeded ones. */
 #include "matbench.h"
 #include "tests/value/documents.h"
 #include <math.h>

@@ -1,8 +1,9 @@
-/* matbench instructions: our shader and one written by hand for the same material, both through
- * glslang and spirv-opt -O, counted in SPIR-V instructions within functions. The shaders by hand
- * average nothing over the pixel, so ours are those of --aa=none. The documents and the shaders lie
- * in tests/bench/; formulas have theirs in formulas.def. A test, too: none of ours may have more
- * than LARGEST_RATIO times the instructions; status 77 where spirv-opt is not installed. */
+/* matbench instructions: compares our shader with a hand-written one for the same material. Both
+ * go through glslang and spirv-opt -O, and the SPIR-V instructions within functions are counted.
+ * The hand-written shaders do not filter, so ours are compiled with --aa=none. The documents and
+ * shaders are in tests/bench/; formulas have theirs in formulas.def. Also a test: no shader of
+ * ours may have more than LARGEST_RATIO times the instructions; exit status 77 without
+ * spirv-opt. */
 #include "matbench.h"
 #include "compiler/base/session.h"
 #include "compiler/matc.h"

@@ -1,5 +1,5 @@
-/* Cost of encodings: nanoseconds a pixel to pack and to unpack, drawn over a square, beside their
- * bits and their errors. The time of an empty square is subtracted. */
+/* Cost of encodings: nanoseconds per pixel to pack and to unpack, drawn over a square, next to
+ * their bits and errors. The time of an empty square is subtracted. */
 #include "matbench.h"
 #include "compiler/describe/describe.h"
 #include "tests/draw/canvas.h"

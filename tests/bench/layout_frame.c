@@ -1,6 +1,6 @@
-/* Cost of a layout in a frame: the G-buffer pass of a material whose every slot is a uniform, so
- * that nothing is packed beforehand, and a pass that reads all slots back. Both fill a square; the
- * least of several draws counts. */
+/* Cost of a layout in a frame: the G-buffer pass of a material whose slots are all uniforms, so
+ * that no slot is packed at compile time, and a pass that reads all slots back. Both fill a
+ * square; the minimum of several draws counts. */
 #include "matbench.h"
 #include "runtime/gpu_material/targets.h"
 #include "runtime/gl/screen.h"

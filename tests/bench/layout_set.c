@@ -1,6 +1,6 @@
-/* The light pass of a set of materials: what reading its slots back takes from `compact`, by the
- * text for the cases that the set uses and by that for all cases, beside a layout that is made
- * for the set. All are timed in turns, in one run. */
+/* The light pass of a set of materials: the cost of unpacking `compact`, with code for the cases
+ * that the set uses and with code for all cases, next to a layout that is made for the set. The
+ * variants are timed alternately in one run. */
 #include "matbench.h"
 #include "runtime/gpu_material/targets.h"
 #include "runtime/gl/screen.h"

@@ -1,5 +1,5 @@
-/* matbench: measures what matc promises. Every figure in docs/ comes from one of its
- * subcommands. */
+/* matbench: measures the performance and accuracy that matc promises. Every figure in docs/
+ * comes from one of its subcommands. */
 #include "matbench.h"
 #include "compiler/base/progress.h"
 #include "compiler/base/suggest.h"

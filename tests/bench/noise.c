@@ -1,6 +1,6 @@
-/* matbench noise: how long noise of ours takes, beside noise of others, written anew from their
- * published definitions. Every function is summed over the same octaves at the same places; the
- * time of a constant colour is subtracted. */
+/* matbench noise: time of our noise functions next to other noise functions, which are
+ * reimplemented from their publications. Every function is summed over the same octaves at the
+ * same places; the time of a constant color is subtracted. */
 #include "compiler/base/file.h"
 #include "matbench.h"
 #include "runtime/autotune/meter.h"

@@ -1,7 +1,7 @@
-/* matbench surfaces: the four most common kinds of Principled in `compact`: how far each slot is
- * from the oracle's, which is in double, after it was packed, drawn and read back, beside what its
- * bits promise; then what packing takes of instructions and time to compile. A test, too: no slot
- * may be off by more than is promised, beyond what floats make of the formulas. */
+/* matbench surfaces: the four most common kinds of Principled in `compact`. Prints the error of
+ * each slot after it was packed, drawn and read back, against the oracle in double, next to the
+ * error that its bits allow; then the instruction count and compile time of packing. Also a
+ * test: no slot may exceed the allowed error by more than the rounding of the formulas. */
 #include "matbench.h"
 #include "compiler/describe/describe.h"
 #include "compiler/evaluate.h"

@@ -1,4 +1,4 @@
-/* A program a function: its chunks, and a main that reads the arguments. */
+/* Makes one program per function: its chunks, and a main that reads the arguments. */
 #include "call.h"
 #include "compiler/emit/chunks.h"
 #include <stdio.h>

@@ -1,5 +1,5 @@
-/* Calls a library function of GLSL with many tuples of arguments at once: one fragment a tuple, the
- * arguments from a texture. */
+/* Calls a GLSL library function with many tuples of arguments at once: one fragment per tuple,
+ * the arguments from a texture. */
 #ifndef MATC_VALUE_CALL_H
 #define MATC_VALUE_CALL_H
 #include "compiler/base/session.h"

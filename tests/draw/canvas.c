@@ -1,4 +1,4 @@
-/* One program a drawing: its functions as chunks.c gathers them, and a line of main. */
+/* Makes one program per drawing: its functions as chunks.c gathers them, and a line of main. */
 #include "canvas.h"
 #include "compiler/emit/chunks.h"
 #include "runtime/gl/program.h"

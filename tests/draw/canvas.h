@@ -1,5 +1,5 @@
-/* Draws expressions of matc's library functions over a square: what a GLSL function makes of every
- * code there is. */
+/* Draws expressions of matc's library functions over a square, for example a decoding function
+ * for every code. */
 #ifndef MATC_VALUE_CANVAS_H
 #define MATC_VALUE_CANVAS_H
 #include "grammar/tables.h"

@@ -1,5 +1,5 @@
-/* The ball's curvature is 1 all over, the torus' 1 / r around the tube and cos b / (R + r cos b)
- * around the axis. */
+/* The ball's curvature is 1 all over; the torus' is 1 / r around the tube and cos b / (R + r cos
+ * b) around the axis. */
 #include "tests/draw/curved.h"
 #include "tests/vectors.h"
 #include <math.h>

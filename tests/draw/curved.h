@@ -1,5 +1,5 @@
-/* A ball and a torus, and what their normals are when they rise: closed forms, for tests of
- * displacement on bases that are curved. */
+/* A ball and a torus, and the normals of their displaced surfaces in closed form, for tests of
+ * displacement on curved bases. */
 #ifndef MATC_VALUE_CURVED_H
 #define MATC_VALUE_CURVED_H
 #include "compiler/oracle/oracle.h"

@@ -1,4 +1,4 @@
-/* Contexts, points, and what is drawn with them. */
+/* Creates contexts, uploads points, and draws programs at them. */
 #include "draw.h"
 #include <stdio.h>
 #include <stdlib.h>

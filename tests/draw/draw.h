@@ -1,5 +1,5 @@
-/* Draws emitted fragment programs at given points: one fragment a point, its inputs the very floats
- * of the point. */
+/* Draws emitted fragment programs at given points: one fragment per point, its inputs the exact
+ * floats of the point. */
 #ifndef MATC_VALUE_DRAW_H
 #define MATC_VALUE_DRAW_H
 #include "compiler/graph/graph.h"

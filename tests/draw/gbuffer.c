@@ -1,4 +1,4 @@
-/* Programs that write and read a layout, in the GLSL of any target. */
+/* Makes programs that write and read a layout, in the GLSL of any target. */
 #include "gbuffer.h"
 #include "compiler/pipeline.h"
 #include <stdio.h>

@@ -1,4 +1,4 @@
-/* Values before and after a G-buffer. */
+/* Compares slot values before and after storage in a G-buffer. */
 #include "kept.h"
 #include "compiler/layout/layout.h"
 #include "compiler/pipeline.h"

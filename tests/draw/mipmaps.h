@@ -1,5 +1,4 @@
-/* Pictures of a few texels, with mipmaps that are made by hand and read by no code of the
- * compiler's. */
+/* Pictures of a few texels whose mipmaps are made by hand, without any code of the compiler. */
 #ifndef MATC_VALUE_MIPMAPS_H
 #define MATC_VALUE_MIPMAPS_H
 #include <stdbool.h>

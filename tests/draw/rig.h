@@ -1,5 +1,5 @@
-/* A context with targets, in which scenes are drawn and G-buffers are read back by matc's own
- * GLSL. */
+/* A context with render targets, in which scenes are drawn and G-buffers are read back by matc's
+ * own GLSL. */
 #ifndef MATC_VALUE_RIG_H
 #define MATC_VALUE_RIG_H
 #include "runtime/gpu_material/reader.h"

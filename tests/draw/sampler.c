@@ -1,4 +1,4 @@
-/* Pictures are shifted in place, and put back. */
+/* Shifts the texels of pictures in place, and restores them. */
 #include "sampler.h"
 #include <stdlib.h>
 #include <string.h>

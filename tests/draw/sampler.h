@@ -1,4 +1,4 @@
-/* Errors of a driver's sampler in the values of a picture. */
+/* Errors of a driver's texture sampler in the values of a picture. */
 #ifndef MATC_VALUE_SAMPLER_H
 #define MATC_VALUE_SAMPLER_H
 #include "tests/value/points.h"

@@ -1,5 +1,5 @@
-/* Documents drawn as an engine draws them: from a camera, by matc's own vertex programs; and what
- * the C reference says. */
+/* Documents drawn as an engine draws them: from a camera, by matc's own vertex programs; and the
+ * expected values of the C reference. */
 #ifndef MATC_VALUE_SCENE_H
 #define MATC_VALUE_SCENE_H
 #include "compiler/matc.h"

@@ -1,4 +1,4 @@
-/* Varyings as planes over the pixels; one program a draw. */
+/* Varyings as linear functions over the pixels; one program per draw. */
 #include "sheet.h"
 #include <stdio.h>
 #include <string.h>

@@ -1,6 +1,6 @@
-/* Documents drawn over pixels that cover something: from each to the next every varying changes
- * evenly, so that a pixel's footprint is a parallelogram that is known to the last bit of its
- * floats. And what the C reference says of points within it. */
+/* Documents drawn over a grid of pixels with footprints: every varying is linear over the grid,
+ * so that a pixel's footprint is a parallelogram that is known exactly in floats. Also the C
+ * reference's values at points within a footprint. */
 #ifndef MATC_VALUE_SHEET_H
 #define MATC_VALUE_SHEET_H
 #include "tests/value/documents.h"

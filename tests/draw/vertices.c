@@ -1,4 +1,4 @@
-/* Attributes, and their transforms by the definitions. */
+/* Vertex attributes, and their transforms by the definitions. */
 #include "vertices.h"
 #include <math.h>
 

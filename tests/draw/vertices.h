@@ -1,5 +1,5 @@
-/* Vertices that are drawn as points, one a pixel: what a vertex program makes of their attributes
- * is not interpolated. */
+/* Vertices drawn as points, one per pixel, so that the outputs of a vertex program are read back
+ * without interpolation. */
 #ifndef MATC_VALUE_VERTICES_H
 #define MATC_VALUE_VERTICES_H
 #include "runtime/gl/mesh.h"

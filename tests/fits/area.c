@@ -1,16 +1,16 @@
-/* Prints the polynomials of areaMicrofacets() in runtime/surface/surface_microfacets.glsl: linearly
- * transformed cosines that stand for GGX (Heitz, Dupuy, Hill and Neubelt 2016), by roughness and
- * the eye's angle, and how far they are from those that were found.
+/* Prints the polynomials of areaMicrofacets() in runtime/surface/surface_microfacets.glsl:
+ * linearly transformed cosines that approximate GGX (Heitz, Dupuy, Hill and Neubelt 2016), by
+ * roughness and the eye's angle, and their errors against the fitted matrices.
  *
- *     build/tests/fit_area          # a minute
+ *   build/tests/fit_area          # a minute
  *
- * A direction o with density cosine / pi goes to M o, M = [X Y Z] (m11 0 m13; 0 m22 0; 0 0 1), of
- * unit length: Z is the lobe's mean direction, X lies with it in the plane of normal and eye. m11,
- * m22 and m13 make the square of the difference to the lobe least, over directions that either
- * gives. With a = roughness^2, c the eye's cosine and d the angle from Z to the mirrored direction,
- * m11 / a, m22 / (a (c + a)), m13 / a and d / a change little, and are polynomials in the roughness
- * and in x = c (1 + a) / (c + a). A line is these four numbers; lines go by powers of the
- * roughness, and these by powers of x. */
+ * A direction o with density cosine / pi is mapped to M o, M = [X Y Z] (m11 0 m13; 0 m22 0; 0 0
+ * 1), normalized: Z is the lobe's mean direction, X is perpendicular to Z in the plane of normal
+ * and eye. m11, m22 and m13 minimize the squared difference to the lobe, over directions sampled
+ * from either distribution. With a = roughness^2, c the eye's cosine and d the angle from Z to
+ * the mirrored direction, m11 / a, m22 / (a (c + a)), m13 / a and d / a change little, and are
+ * polynomials in the roughness and in x = c (1 + a) / (c + a). A printed line has these four
+ * coefficients; lines are ordered by powers of the roughness, and their groups by powers of x. */
 #include "tests/fits/solve.h"
 #include "tests/vectors.h"
 #include <math.h>

@@ -1,12 +1,12 @@
-/* Prints the numbers of runtime/surface/surface_microfacets.glsl: how components of linear sRGB
- * respond to light whose strength is cos(2 pi way / wavelength), as sums of terms exp(-narrow
- * way^2) cos(turn way), way in micrometres. The CIE's observer of 1931 is as Wyman, Sloan and
- * Shirley (2013) have it; a component's response is 1 for way 0.
+/* Prints the thin film constants of runtime/surface/surface_microfacets.glsl: the response of
+ * linear sRGB components to light of strength cos(2 pi way / wavelength), as sums of terms
+ * exp(-narrow way^2) cos(turn way), with way in micrometers. The CIE's observer of 1931 is that
+ * of Wyman, Sloan and Shirley (2013); a component's response is 1 for way 0.
  *
- *     build/tests/fit_film          # some seconds
+ *   build/tests/fit_film          # some seconds
  *
- * The terms' turns and widths are moved, one after the other, while that makes the sum of squares
- * less; their weights follow by least squares. */
+ * The terms' frequencies and widths are changed in turn while the sum of squares decreases;
+ * their weights follow by linear least squares. */
 #include "tests/fits/solve.h"
 #include "tests/fits/observer.h"
 #include <math.h>

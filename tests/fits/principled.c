@@ -1,11 +1,12 @@
-/* Prints the polynomials of runtime/surface/surface_microfacets.glsl, and how far each is from the
- * integrals that it is fitted to: what facets lose and what grazes, by roughnessOf(); what a white
- * rough mirror lacks below a coat and below fuzz, by coatSpread() and fuzzSpread().
+/* Prints the polynomials of runtime/surface/surface_microfacets.glsl, and the error of each
+ * against the integrals that it fits: the energy lost by microfacets and the grazing term, by
+ * roughnessOf(); the energy that a white rough mirror lacks below a coat and below fuzz, by
+ * coatSpread() and fuzzSpread().
  *
- *     build/tests/fit_principled          # some seconds
+ *   build/tests/fit_principled          # some seconds
  *
- * A row is a power of x, a column one of r. Fits are least squares of `scale` times the polynomial,
- * weighed anew where they are off most. */
+ * A row is a power of x, a column one of r. Fits are iteratively reweighted least squares of
+ * `scale` times the polynomial, which lowers the greatest error. */
 #include "tests/fits/solve.h"
 #include "tests/vectors.h"
 #include <math.h>

@@ -1,4 +1,4 @@
-/* Bodies that compute stages bisect, for tests. */
+/* Runs bisection by compute stages for tests. */
 #include "tests/frame/bisection_body.h"
 #include "tests/frame/frame_draw.h"
 #include <math.h>

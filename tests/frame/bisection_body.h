@@ -1,4 +1,4 @@
-/* Bodies that compute stages bisect, for tests: one context and its programs for all of a test's,
+/* Meshes that compute stages bisect, for tests: one context and its programs for a whole test,
  * and triangles as sorted numbers. */
 #ifndef TESTS_BISECTION_BODY_H
 #define TESTS_BISECTION_BODY_H

@@ -1,4 +1,4 @@
-/* Bodies that are displaced, and views of them. */
+/* Displaced meshes, and views of them. */
 #include "tests/frame/displaced_bodies.h"
 #include "tests/frame/frame_compare.h"
 #include "tests/frame/frame_draw.h"

@@ -1,4 +1,4 @@
-/* A displaced body over nothing, as tests of displacement by the driver look at it. */
+/* A displaced mesh in front of an empty background, for tests of displacement by the driver. */
 #ifndef MATC_FRAME_DISPLACED_BODIES_H
 #define MATC_FRAME_DISPLACED_BODIES_H
 #include "runtime/renderer/renderer.h"

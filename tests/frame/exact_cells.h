@@ -1,5 +1,5 @@
-/* Cells of what a light with exact shadows sees, by the words of its head alone: for tests of the
- * lists. */
+/* Reads the cells of a light with exact shadows, by the words of the list's head: for tests of
+ * the lists. */
 #ifndef MATC_EXACT_CELLS_H
 #define MATC_EXACT_CELLS_H
 #include "runtime/exact/exact_lists.h"

@@ -1,9 +1,9 @@
-/* Pixels while a light moves by small steps. An end of a shadow that passes over a pixel
- * turns it once, from lit to dark or back, a step sooner or later than it should; a pixel that
- * turns and turns back, and should not, flickers.
+/* Counts flickering pixels while a light moves by small steps. A shadow boundary that passes a
+ * pixel turns it once, from lit to dark or back, perhaps a step early or late; a pixel that
+ * wrongly turns and turns back flickers.
  *
- *     lit, dark, lit, dark while it should be lit, lit, dark, dark: it turns three times in place
- *         of once, and has flickered once */
+ *   drawn lit, dark, lit, dark; true lit, lit, dark, dark: three turns instead of one, one
+ *   flicker */
 #ifndef MATC_FLICKER_H
 #define MATC_FLICKER_H
 #include <stdbool.h>

@@ -1,4 +1,4 @@
-/* GL calls of a context, counted for tests. */
+/* Counts the GL calls of a context, for tests. */
 #ifndef MATC_FRAME_CALLS_H
 #define MATC_FRAME_CALLS_H
 #include "runtime/gl/context.h"

@@ -1,4 +1,4 @@
-/* Cases as texels of a texture, and what a screen pass says of them as pixels. */
+/* Cases as texels of a texture, and the results of a screen pass for them as pixels. */
 #ifndef MATC_FRAME_CASES_H
 #define MATC_FRAME_CASES_H
 #include "runtime/gpu_material/screen_pass.h"

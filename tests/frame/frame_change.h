@@ -1,5 +1,5 @@
-/* Further frames of a renderer that has drawn: what changes is drawn as a new renderer would. What
- * fails ends the test. */
+/* Further frames of a renderer that has already drawn: after a change the picture must equal
+ * that of a new renderer. A failure ends the test. */
 #ifndef MATC_FRAME_CHANGE_H
 #define MATC_FRAME_CHANGE_H
 #include "tests/frame/frame_draw.h"

@@ -1,4 +1,4 @@
-/* Pictures against the reference: the spread of what their pixels are off. */
+/* Compares pictures with the reference: the distribution of the pixels' errors. */
 #ifndef MATC_FRAME_COMPARE_H
 #define MATC_FRAME_COMPARE_H
 #include "tests/frame_reference/reference_light.h"

@@ -1,4 +1,4 @@
-/* Steps that many tests of frames share. */
+/* Steps that many frame tests share. */
 #include "tests/frame/frame_draw.h"
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-/* Scenes drawn for tests: what fails ends the test, with its reason. */
+/* Draws scenes for tests: a failure ends the test and prints its reason. */
 #ifndef MATC_FRAME_DRAW_H
 #define MATC_FRAME_DRAW_H
 #include "runtime/renderer/renderer.h"

@@ -1,4 +1,4 @@
-/* Scenes of examples/scenes as tests draw them. */
+/* Scenes of examples/scenes, prepared as tests draw them. */
 #ifndef MATC_FRAME_EXAMPLE_H
 #define MATC_FRAME_EXAMPLE_H
 #include "runtime/scene/scene.h"

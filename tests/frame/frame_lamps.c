@@ -1,4 +1,4 @@
-/* A document of one line for each light. */
+/* Writes a document with one line for each light. */
 #include "tests/frame/frame_lamps.h"
 #include <math.h>
 #include <stdint.h>

@@ -1,6 +1,6 @@
-/* A scene's text with everything somewhere else: objects in a group that moves them, camera, the
- * keys of a path, lights. The text alone is changed, by libyaml, so that it goes through all that
- * reads scenes. */
+/* A scene's text with all of its content translated: objects are put into a group that moves
+ * them, and the camera, a path's keys and lights are moved. Only the text is changed, by
+ * libyaml, so that the change passes through every reader of scenes. */
 #ifndef MATC_FRAME_MOVED_H
 #define MATC_FRAME_MOVED_H
 #include <stdbool.h>

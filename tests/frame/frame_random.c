@@ -1,4 +1,4 @@
-/* A linear congruential generator chooses. */
+/* Random choices by a linear congruential generator. */
 #include "tests/frame/frame_random.h"
 #include <stdio.h>
 #include <stdlib.h>

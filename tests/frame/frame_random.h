@@ -1,4 +1,4 @@
-/* Scenes at random, for tests. */
+/* Random scenes, for tests. */
 #ifndef MATC_FRAME_RANDOM_H
 #define MATC_FRAME_RANDOM_H
 #include <stdbool.h>

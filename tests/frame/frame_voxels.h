@@ -1,4 +1,4 @@
-/* Scenes as voxels, for tests. */
+/* Voxel grids of scenes, for tests. */
 #ifndef MATC_FRAME_VOXELS_H
 #define MATC_FRAME_VOXELS_H
 #include "runtime/frame_graph/frame.h"

@@ -1,4 +1,4 @@
-/* Rows of goals: a scene each, drawn by several keys. */
+/* Rows of goals: a scene each, drawn with several settings. */
 #include "tests/frame/indirect_goals.h"
 #include "runtime/renderer/passes.h"
 #include "tests/frame/frame_draw.h"

@@ -1,5 +1,5 @@
-/* Goals for ambient occlusion and indirect light, as rows: error against many rays in double, cost
- * of their passes, and the cost of the thesis' march in the same run. */
+/* Goals for ambient occlusion and indirect light, as rows: the error against many rays in
+ * double, the cost of the passes, and the cost of the thesis' march in the same run. */
 #ifndef MATC_INDIRECT_GOALS_H
 #define MATC_INDIRECT_GOALS_H
 #include <stdbool.h>

@@ -1,5 +1,5 @@
-/* Scenes whose indirect light is to reach something: cameras, lights, materials and objects, for
- * documents that say the picture's size and `indirect:` before. */
+/* Scenes with goals for their indirect light: cameras, lights, materials and objects, to be
+ * appended to a document that sets the picture's size and `indirect:`. */
 #ifndef MATC_INDIRECT_SCENES_H
 #define MATC_INDIRECT_SCENES_H
 

@@ -1,4 +1,4 @@
-/* Values that a pass over all pixels computes, read back: for tests of GLSL. */
+/* Reads back values that a full-screen pass computes: for tests of GLSL. */
 #ifndef MATC_PASS_VALUES_H
 #define MATC_PASS_VALUES_H
 #include "runtime/gpu_material/screen_pass.h"

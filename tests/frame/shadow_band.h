@@ -1,4 +1,4 @@
-/* Whether light reaches a point, outside of a band around ends of shadows. */
+/* Classifies a point as lit or in shadow, except within a band around shadow boundaries. */
 #ifndef MATC_SHADOW_BAND_H
 #define MATC_SHADOW_BAND_H
 #include "tests/frame_reference/shadow_ray.h"

@@ -1,4 +1,4 @@
-/* Two renderers for all pictures of a test of shadows: with shadows, and without. */
+/* Two renderers for all pictures of a shadow test: with shadows, and without. */
 #ifndef MATC_SHADOW_PAIR_H
 #define MATC_SHADOW_PAIR_H
 #include "tests/frame/frame_draw.h"

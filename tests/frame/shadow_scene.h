@@ -1,5 +1,5 @@
-/* Scenes of shadows that several methods are tested by, as documents: objects that meet, in the
- * light of every lamp; and one of several lights beside something of glass. */
+/* Documents by which several shadow methods are tested: touching objects in the light of every
+ * kind of lamp; and a scene of several lights with a glass object. */
 #ifndef MATC_SHADOW_SCENE_H
 #define MATC_SHADOW_SCENE_H
 #include "tests/frame/frame_draw.h"

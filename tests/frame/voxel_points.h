@@ -1,5 +1,5 @@
-/* Rays from many points through the voxels of a scene, as a pass over all of them, for tests and
- * benchmarks. */
+/* Rays from many points through the voxels of a scene, traced by one full-screen pass, for tests
+ * and benchmarks. */
 #ifndef MATC_VOXEL_POINTS_H
 #define MATC_VOXEL_POINTS_H
 #include "runtime/frame_graph/frame.h"

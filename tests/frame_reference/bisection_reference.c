@@ -1,5 +1,5 @@
-/* A mesh that is bisected as bisect.glsl says, without what a driver does for it: scene_bisection.c
- * splits, points go where matc_move has them, numbers are doubles. */
+/* Bisects a mesh as bisect.glsl specifies, without its GPU techniques: scene_bisection.c splits
+ * triangles, matc_move displaces points, numbers are doubles. */
 #include "tests/frame_reference/bisection_reference.h"
 #include "tests/frame_reference/bisection_seen.h"
 #include "runtime/tessellate/scene_bisection.h"

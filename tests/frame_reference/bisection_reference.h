@@ -1,4 +1,4 @@
-/* Bisection on the processor, which judges that by compute stages. */
+/* Bisection on the CPU, the reference for bisection by compute stages. */
 #ifndef TESTS_BISECTION_REFERENCE_H
 #define TESTS_BISECTION_REFERENCE_H
 #include "runtime/scene/scene_patches.h"

@@ -1,4 +1,4 @@
-/* How near a box counts to a camera, itself or by its shadow, in double. */
+/* Visibility of a box for a camera, directly or by its shadow, in double. */
 #include "tests/frame_reference/bisection_seen.h"
 #include "runtime/scene/scene_matrix.h"
 #include <math.h>

@@ -1,4 +1,4 @@
-/* Queries of bisection_reference.c about a camera. */
+/* Visibility queries of bisection_reference.c for a camera. */
 #ifndef TESTS_BISECTION_SEEN_H
 #define TESTS_BISECTION_SEEN_H
 #include "runtime/scene/scene.h"

@@ -1,4 +1,5 @@
-/* Squares of four pixels: their areas, and what of the end runs through them. */
+/* Marching squares between four pixels: lit areas, and the length of the shadow boundary through
+ * them. */
 #include "tests/frame_reference/boundary.h"
 #include <math.h>
 

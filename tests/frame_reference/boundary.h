@@ -1,4 +1,4 @@
-/* How far the ends of shadows in two pictures of the same points are from each other. */
+/* Distance between the shadow boundaries of two pictures of the same points. */
 #ifndef MATC_FRAME_BOUNDARY_H
 #define MATC_FRAME_BOUNDARY_H
 #include <stdbool.h>

@@ -1,5 +1,5 @@
-/* Rays to lights that go on through what they meet, by materials whose transparency is known in
- * closed form. */
+/* Shadow rays that continue through transparent surfaces, for materials whose transparency is
+ * known in closed form. */
 #ifndef MATC_GLASS_RAY_H
 #define MATC_GLASS_RAY_H
 #include "tests/frame_reference/reference_ray.h"

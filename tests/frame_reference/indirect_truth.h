@@ -1,5 +1,5 @@
-/* Ambient occlusion and indirect light at places of a picture, by many rays in double (open_ray.h),
- * and the error of a picture against that. */
+/* Reference of ambient occlusion and indirect light at places of a picture, by many rays in
+ * double (open_ray.h), and the error of a picture against it. */
 #ifndef MATC_INDIRECT_TRUTH_H
 #define MATC_INDIRECT_TRUTH_H
 #include "tests/frame/indirect_scenes.h"

@@ -1,9 +1,9 @@
-/* How open a point is, and what other surfaces send to it, by many rays in double, for tests of
- * indirect light: Embree finds what a ray meets, the light of that is reference_light's. Nothing of
- * the renderer has a part in it.
+/* Reference of ambient occlusion and one bounce of indirect light at a point, by many rays in
+ * double, for tests: Embree finds the hits, reference_light computes their light. No code of the
+ * renderer takes part.
  *
- *     a point on a floor, a wall as high as the point is far from it: the wall keeps off (1 - 1 /
- *         sqrt(2)) / 2 of the cosine, so that it is open by 0.854 */
+ *   a point on a floor, a wall as high as the point is far from it: the wall occludes
+ *   (1 - 1 / sqrt(2)) / 2 of the cosine-weighted hemisphere, so that ambient occlusion is 0.854 */
 #ifndef MATC_OPEN_RAY_H
 #define MATC_OPEN_RAY_H
 #include "tests/frame_reference/reference_light.h"

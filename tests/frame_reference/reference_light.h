@@ -1,6 +1,6 @@
-/* Expected light of a frame, in double, for tests: the material at a ray's hit is the C oracle's,
- * the light is summed by the formulas of semantics.md 4.1 and scene.def. No shader and no compiler
- * has a part in it. */
+/* Expected light of a frame, in double, for tests: the material at a ray's hit is the C
+ * oracle's, the light is summed by the formulas of semantics.md 4.1 and scene.def. No shader and
+ * no compiler code takes part. */
 #ifndef MATC_REFERENCE_LIGHT_H
 #define MATC_REFERENCE_LIGHT_H
 #include "compiler/matc.h"

@@ -1,5 +1,5 @@
-/* A picture that tests/reference/render.py wrote: linear light, and in alpha which pixels are
- * compared. RGBA, the bottom row first. */
+/* A picture written by tests/reference/render.py: linear light, and in alpha a mask of the
+ * pixels to compare. RGBA, bottom row first. */
 #ifndef MATC_REFERENCE_PICTURE_H
 #define MATC_REFERENCE_PICTURE_H
 #include "compiler/matc.h"

@@ -1,5 +1,6 @@
-/* First hit of a pixel's ray, in double, for tests: Embree finds the triangle, the point on it is
- * computed in double. It shares the triangles with the renderer, but no matrix and no shader. */
+/* First hit of a pixel's ray, in double, for tests: Embree finds the triangle, and the hit point
+ * on it is computed in double. Shares the triangles with the renderer, but no matrix and no
+ * shader. */
 #ifndef MATC_REFERENCE_RAY_H
 #define MATC_REFERENCE_RAY_H
 #include "tests/frame_reference/reference_space.h"

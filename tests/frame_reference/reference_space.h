@@ -1,4 +1,4 @@
-/* Vectors and matrices in double for the reference of frames: the renderer's own are not asked. */
+/* Vectors and matrices in double for the reference of frames, independent of the renderer's. */
 #ifndef MATC_REFERENCE_SPACE_H
 #define MATC_REFERENCE_SPACE_H
 #include "runtime/scene/scene.h"

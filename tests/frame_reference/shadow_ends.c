@@ -1,5 +1,5 @@
-/* A document with spheres where the casters stand, which become the mesh. Each pixel is judged at
- * the point that its ray meets, in double. */
+/* A document with spheres at the casters' places, which are then replaced by the mesh. Each
+ * pixel is judged at the hit point of its ray, in double. */
 #include "tests/frame_reference/shadow_ends.h"
 #include "runtime/shadow/shadow_state.h"
 #include "runtime/frame_graph/frame.h"

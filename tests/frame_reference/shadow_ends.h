@@ -1,5 +1,5 @@
-/* How far ends of shadows are off, by rays of Embree, on four receivers: casters of one mesh in
- * sunlight, by maps of 256 x 256. */
+/* Error of shadow boundaries against Embree's rays, on four receivers: casters of one mesh in
+ * sunlight, with shadow maps of 256 x 256. */
 #ifndef MATC_SHADOW_ENDS_H
 #define MATC_SHADOW_ENDS_H
 #include "tests/frame/shadow_pair.h"

@@ -1,5 +1,5 @@
-/* Whether a pixel is rightly lit by a light, or in its shadow: by Embree's ray, and where that says
- * otherwise, by all triangles in double. */
+/* Judges whether a pixel is rightly lit by a light or in its shadow: by Embree's ray, and if
+ * that disagrees with the picture, by all triangles in double. */
 #ifndef MATC_SHADOW_JUDGE_H
 #define MATC_SHADOW_JUDGE_H
 #include "tests/frame_reference/shadow_ray.h"

@@ -1,4 +1,4 @@
-/* Rays from points to lights, and places of lights, for tests of shadows. */
+/* Rays from points to lights, and positions of lights, for tests of shadows. */
 #ifndef MATC_SHADOW_RAY_H
 #define MATC_SHADOW_RAY_H
 #include "tests/frame_reference/reference_ray.h"

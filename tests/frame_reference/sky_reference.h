@@ -1,7 +1,7 @@
-/* Light of a sky that a Principled surface without layers reflects, as integrals in double: half of
- * the directions are drawn where the sky is bright, half where GGX's facets look, and each counts
- * by how dense both are there together (Veach and Guibas 1995). Knows the lobe by its definition
- * and the sky by a function, and nothing of matc. */
+/* Reference of a sky's light reflected by a Principled surface without layers, as integrals in
+ * double: multiple importance sampling of the sky's radiance and of GGX's visible normals,
+ * combined by the balance heuristic (Veach and Guibas 1995). Implements the lobe by its
+ * definition and takes the sky as a function; independent of matc. */
 #ifndef MATC_SKY_REFERENCE_H
 #define MATC_SKY_REFERENCE_H
 

@@ -1,4 +1,4 @@
-/* How much of an area light a point sees, by Embree's rays to all of it. */
+/* Visible share of an area light from a point, by Embree's rays to all of the light. */
 #ifndef MATC_SOFT_RAY_H
 #define MATC_SOFT_RAY_H
 #include "tests/frame_reference/reference_ray.h"

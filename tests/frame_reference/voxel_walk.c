@@ -1,4 +1,4 @@
-/* Rays through voxels in double. */
+/* Walks rays through voxels in double. */
 #include "tests/frame_reference/voxel_walk.h"
 #include <math.h>
 #include <stdlib.h>

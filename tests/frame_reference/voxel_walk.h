@@ -1,5 +1,4 @@
-/* Rays through voxels in double, from the definition: every plane that a ray crosses, one after the
- * other. */
+/* Rays through voxels in double, by definition: visits every plane that a ray crosses, in order. */
 #ifndef MATC_VOXEL_WALK_H
 #define MATC_VOXEL_WALK_H
 #include <stdbool.h>

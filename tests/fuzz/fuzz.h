@@ -1,4 +1,4 @@
-/* The entry point that libFuzzer, AFL++ or feed.c calls with one input after the other. */
+/* The entry point that libFuzzer, AFL++ or feed.c calls once per input. */
 #ifndef MATC_FUZZ_H
 #define MATC_FUZZ_H
 #include <stddef.h>

@@ -1,5 +1,5 @@
-/* libFuzzer's entry for the IR's text: any bytes. What reads and passes the check prints and reads
- * back as itself, goes through the optimiser, and passes the check again. */
+/* libFuzzer's entry for the IR's text: any bytes. An IR that is read and passes the check prints
+ * and reads back as itself, is optimized, and passes the check afterwards. */
 #include "fuzz.h"
 #include "compiler/opt/opt.h"
 #include <stdlib.h>

@@ -1,6 +1,6 @@
-/* libFuzzer's entry for lowering and optimiser: the bytes are choices of the generator of valid
- * documents (tests/stress), so that nothing is spent on text that does not parse. The first two
- * choose the target and the pass. */
+/* libFuzzer's entry for lowering and optimizer: the bytes are choices of the generator of valid
+ * documents (tests/stress), so that no input is wasted on text that does not parse. The first
+ * two bytes choose the target and the pass. */
 #include "fuzz.h"
 #include "compiler/matc.h"
 #include "grammar/tables.h"

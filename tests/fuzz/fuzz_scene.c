@@ -1,5 +1,5 @@
-/* libFuzzer's entry for scenes: any bytes as a document, read into a Scene; what drawing takes for
- * granted of one is looked at. */
+/* libFuzzer's entry for scenes: any bytes as a document, read into a Scene, whose invariants for
+ * drawing are checked. */
 #include "fuzz.h"
 #include "runtime/scene_reader/scene_read.h"
 #include "runtime/tessellate/scene_solid.h"

@@ -1,4 +1,4 @@
-/* Writes the documents of growth.def, and compiles them with the clock of this thread. */
+/* Writes the documents of growth.def, and compiles them, timed by the thread's CPU clock. */
 #include "growth.h"
 #include "compiler/read/tree.h"
 #include "compiler/ir/ir.h"

@@ -1,4 +1,4 @@
-/* Runs `matc -d` on many documents in a folder of its own, with the clock of that process. */
+/* Runs `matc -d` on many documents in its own folder, timed by that process' CPU clock. */
 #include "growth.h"
 #include <math.h>
 #include <stdio.h>

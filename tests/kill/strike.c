@@ -1,12 +1,12 @@
-/* A library that is loaded before libc (LD_PRELOAD) and ends a process, or lets a call fail, at the
- * n-th call that concerns files.
- *   STRIKE_AT=n      which call, from 1; 0 or none: only counted
- *   STRIKE_HOW=what  kill: SIGKILL before the call; half: a write does half of it before; a number:
- *                    the call fails with that errno;
- *                    full: this call and all later ones that want room fail as on a full disk;
- *                        readonly: the same for all
- *                    that changes anything
- *   STRIKE_LOG=file  gets the names of all calls, a line each, when they were only counted
+/* A library that is loaded before libc (LD_PRELOAD) and kills a process, or makes a call fail, at
+ * the n-th call that concerns files.
+ *   STRIKE_AT=n      the call's number, from 1; 0 or unset: calls are only counted
+ *   STRIKE_HOW=how   kill: SIGKILL before the call
+ *                    half: as kill, but a write first writes half of its bytes
+ *                    a number: the call fails with that errno
+ *                    full: this call and all later ones that need disk space fail as on a full disk
+ *                    readonly: this call and all later ones that change files fail
+ *   STRIKE_LOG=file  receives the names of all calls, a line each, if calls are only counted
  * The functions are those that `nm -D --undefined-only build/matc` lists. */
 #include <dirent.h>
 #include <dlfcn.h>

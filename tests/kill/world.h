@@ -1,5 +1,5 @@
-/* Runs of matc over a folder, which are struck at one of their calls: ended before it, or the call
- * fails (strike.c). Faults are those of the test. */
+/* Runs of matc over a folder that are disturbed at one system call: the process is killed before
+ * the call, or the call fails (strike.c). A failed check ends the test. */
 #ifndef TESTS_KILL_WORLD_H
 #define TESTS_KILL_WORLD_H
 #include "compiler/base/bytes.h"

@@ -1,6 +1,6 @@
-/* The renderer as a library (matc_render.h), on a context that somebody else made: the same
- * pictures as on one of its own, changes, of displaced meshes too, what is refused, and that the
- * context stays its owner's. */
+/* The renderer as a library (matc_render.h), on a context that the host made: pictures equal
+ * those on the renderer's own context, also after changes and with displaced meshes; refused
+ * calls; and the host's GL state stays unchanged. */
 /* ctest: seconds=60 */
 #include "tests/test.h"
 #include "runtime/gl/backend.h"

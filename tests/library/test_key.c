@@ -1,5 +1,5 @@
-/* When programs have equal keys and shapes, what their places are, and how places become members of
- * a buffer. */
+/* Equality of programs' keys and shapes, the places of their constants, and the mapping of
+ * places to members of a buffer. */
 /* ctest: quick */
 #include "tests/test.h"
 #include "compiler/matc.h"

@@ -1,4 +1,5 @@
-/* The library: several materials, textures, uniforms, threads, and that no fault is silent. */
+/* The library's use by programs: several materials, textures, uniforms, threads; every fault is
+ * reported. */
 #include "tests/test.h"
 #include "compiler/base/session.h"
 #include "grammar/tables.h"

@@ -1,4 +1,4 @@
-/* The library's options: names and their values, structs of older and newer programs. */
+/* The library's options: names and their values, option structs of older and newer versions. */
 #include "tests/test.h"
 #include "grammar/tables.h"
 #include "tests/compile_text.h"

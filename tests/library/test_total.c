@@ -1,5 +1,5 @@
-/* Every function of matc.h answers every call: of a document with faults, an index beyond what
- * there is, a program or a layout that is not ok, no options. */
+/* Every function of matc.h handles every call: a document with errors, an index out of range, a
+ * program or layout that is not ok, missing options. */
 #include "tests/test.h"
 #include "tests/compile_text.h"
 #include <limits.h>

@@ -1,5 +1,5 @@
-/* Meshes that fetch.sh has put into the build folder, for tests and benchmarks. README.md lists
- * them. */
+/* Meshes that fetch.sh has downloaded into the build folder, for tests and benchmarks. README.md
+ * lists them. */
 #ifndef MATC_TEST_MESHES_H
 #define MATC_TEST_MESHES_H
 #include "runtime/gl/shape.h"

@@ -1,6 +1,6 @@
-/* A stream of choices: random ones that are recorded, or a script of recorded ones. What is made
- * from such a stream is made smaller by making its script smaller: 0 is always the simplest choice,
- * and past the script's end all choices are 0. */
+/* A stream of choices: random choices that are recorded, or a script of recorded ones. A
+ * document made from a stream is simplified by shortening its script: 0 is always the simplest
+ * choice, and past the script's end all choices are 0. */
 #ifndef MATC_STRESS_CHOICES_H
 #define MATC_STRESS_CHOICES_H
 #include <stdbool.h>

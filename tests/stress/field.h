@@ -1,4 +1,4 @@
-/* Hostile surface points: every number a float, always the same. */
+/* Hostile surface points with every number a float, equal in every run. */
 #ifndef MATC_STRESS_FIELD_H
 #define MATC_STRESS_FIELD_H
 #include "tests/value/points.h"

@@ -1,4 +1,4 @@
-/* The grammar, run backwards. Flow style, so that nothing depends on columns. */
+/* The grammar as a generator. Writes YAML's flow style, so that indentation does not matter. */
 #include "generate.h"
 #include "grammar/tables.h"
 #include <math.h>

@@ -1,5 +1,5 @@
-/* Makes valid documents of random structure from the tables of grammar/: any kind, any parameter,
- * ordinary and hostile numbers. */
+/* Generates valid documents of random structure from the tables of grammar/: any kind, any
+ * parameter, ordinary and hostile numbers. */
 #ifndef MATC_STRESS_GENERATE_H
 #define MATC_STRESS_GENERATE_H
 #include "choices.h"

@@ -1,6 +1,6 @@
-/* Formulas run backwards: text of random structure from the rows of expression.def, whose widths
- * agree. What a term makes large goes through an arc tangent, so that no product of such leaves
- * what a float holds; points may be anywhere, so a formula reads sines of them. */
+/* Generates formulas: text of random structure from the rows of expression.def, with matching
+ * widths. A term that may be large is passed through an arc tangent, so that no product of terms
+ * overflows a float; points may be anywhere, so formulas read sines of them. */
 #include "generate.h"
 #include "grammar/expression_tables.h"
 #include <stdio.h>

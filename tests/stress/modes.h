@@ -1,4 +1,4 @@
-/* The choices under which random documents are tried: modes.def. */
+/* The option sets under which random documents are tried: modes.def. */
 #ifndef MATC_STRESS_MODES_H
 #define MATC_STRESS_MODES_H
 #include "compiler/matc.h"

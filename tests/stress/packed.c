@@ -1,4 +1,4 @@
-/* Codes of fields, taken out of words. */
+/* Extracts the codes of fields from words. */
 #include "packed.h"
 #include <math.h>
 #include <stdlib.h>

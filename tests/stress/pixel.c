@@ -1,5 +1,5 @@
-/* Every dFdx and dFdy becomes its argument times a factor: a product, where a driver takes the
- * difference of two pixels. */
+/* Replaces every dFdx and dFdy by its argument times a factor, in place of the driver's
+ * difference between two pixels. */
 #include "pixel.h"
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-/* How much surface a pixel covers, for --aa. */
+/* Footprints of pixels, for --aa. */
 #ifndef MATC_STRESS_PIXEL_H
 #define MATC_STRESS_PIXEL_H
 #include "compiler/ir/ir.h"

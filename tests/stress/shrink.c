@@ -1,5 +1,5 @@
-/* Passes over the script until none finds anything: runs of choices are left out, runs become 0,
- * numbers become less. */
+/* Delta debugging in passes over the script until a pass finds no improvement: runs of choices
+ * are removed, runs are set to 0, numbers are decreased. */
 #include "shrink.h"
 #include <string.h>
 

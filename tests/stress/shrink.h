@@ -1,5 +1,5 @@
-/* Makes a script of choices smaller that leads to a fault, as long as what is made from it still
- * does. It knows nothing of what the choices mean. */
+/* Shrinks a script of choices that leads to a fault, as long as the fault persists. Does not
+ * interpret the choices. */
 #ifndef MATC_STRESS_SHRINK_H
 #define MATC_STRESS_SHRINK_H
 #include "choices.h"

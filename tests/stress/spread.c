@@ -1,6 +1,6 @@
-/* Machines whose operations err, as roundings of ir_eval. One evaluation in eight errs to 0
- * wherever it may: a cross product of parallel vectors is 0 but for rounding, and what is made of a
- * true 0 may be something else. */
+/* Evaluates an IR with operations that err like the roundings of ir_eval. One evaluation in
+ * eight errs to 0 wherever possible: a cross product of parallel vectors is 0 except for
+ * rounding, and a true 0 may lead to another result. */
 #include "spread.h"
 #include "choices.h"
 #include "compiler/library/references.h"

@@ -1,4 +1,4 @@
-/* Threads that take one tree after another; a fault is shrunk and told at once. */
+/* Threads that take one tree after another; a fault is shrunk and reported at once. */
 #include "compiler/layout/layout.h"
 #include "stress.h"
 #include "generate.h"

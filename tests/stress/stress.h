@@ -1,4 +1,4 @@
-/* Many random documents, each tried in every way. */
+/* Tries many random documents in every mode. */
 #ifndef MATC_STRESS_STRESS_H
 #define MATC_STRESS_STRESS_H
 #include "generate.h"

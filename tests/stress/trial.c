@@ -1,4 +1,4 @@
-/* Everything that needs no GL. */
+/* All checks of a trial that need no GL. */
 #include "trial.h"
 #include "compiler/layout/layout.h"
 #include "generate.h"

@@ -1,6 +1,5 @@
-/* One document, tried in every way: does it mean the same to the oracle, the IR as written, the
- * optimised IR, in double and in float, and as drawn; is every number finite; is the program
- * valid. */
+/* Tries one document in every mode: the oracle, the IR as written, and the optimized IR, in
+ * double, in float and as drawn, agree; every number is finite; the program is valid. */
 #ifndef MATC_STRESS_TRIAL_H
 #define MATC_STRESS_TRIAL_H
 #include "field.h"

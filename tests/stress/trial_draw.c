@@ -1,4 +1,4 @@
-/* Verdict of glslang on a program, and the values that it draws. */
+/* Validates a program by glslang, and draws its values. */
 #include "compiler/layout/layout.h"
 #include "generate.h"
 #include "spread.h"

@@ -1,4 +1,5 @@
-/* The oracle's value of a slot; for exact derivatives, how well differences know it. */
+/* The oracle's value of a slot; for exact derivatives, also the accuracy of its finite
+ * differences. */
 #include "trial.h"
 #include <string.h>
 

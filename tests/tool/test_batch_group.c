@@ -1,6 +1,6 @@
-/* Programs out of units (compiler/tool/batch_group.c), from units made by hand: which materials
- * share a program, which numbers become members of its buffer, and which programs are written once
- * more. What a batch makes of that: test_manifest.c. */
+/* Grouping of units into shared programs (compiler/tool/batch_group.c), with units made by hand:
+ * which materials share a program, which numbers become members of its buffer, and which
+ * programs are compiled a second time. test_manifest.c tests the resulting batches. */
 #include "tests/test.h"
 #include "compiler/tool/batch_state.h"
 #include <stdio.h>

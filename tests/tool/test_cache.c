@@ -1,4 +1,4 @@
-/* The GPU scene: what is served is what was put there, whatever happens to its files. */
+/* The cache: a get returns exactly what was put, whatever happens to the cache's files. */
 #include "tests/test.h"
 #include "tests/cache_folder.h"
 #include <errno.h>

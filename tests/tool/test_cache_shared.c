@@ -1,5 +1,5 @@
-/* The GPU scene of many runs at once, and its limit: nothing wrong is served, and what was not used
- * for longest goes. */
+/* The cache used by many runs at once, and its size limit: no wrong entry is returned, and the
+ * least recently used entries are evicted. */
 #include "tests/test.h"
 #include "tests/cache_folder.h"
 #include <fcntl.h>

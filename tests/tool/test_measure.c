@@ -1,5 +1,5 @@
-/* Measuring: known errors are found, times are times, the front is one, choices keep what they
- * promise. */
+/* Autotune: known errors are found, times are plausible, the Pareto front has no dominated
+ * point, and choices keep their stated errors. */
 /* ctest: seconds=11 */
 #include "tests/test.h"
 #include "runtime/autotune/pareto.h"

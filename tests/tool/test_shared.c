@@ -1,6 +1,5 @@
-/* Programs that materials share: with the numbers that the manifest has for a material, the shared
- * program draws the G-buffer that the material's own program draws, with its numbers in the
- * text. */
+/* Programs shared by materials: with the manifest's numbers for a material, the shared program
+ * draws the same G-buffer as the material's own program, which has the numbers in its text. */
 /* ctest: unsanitized seconds=38 */
 #include "tests/test.h"
 #include "compiler/tool/batch.h"

@@ -1,4 +1,4 @@
-/* Watching: every way in which a file comes to differ is seen, once, by notices and by looking
+/* File watching: every kind of change to a file is noticed once, by notifications and by polling
  * alone. */
 #include "tests/test.h"
 #include "compiler/base/watch.h"

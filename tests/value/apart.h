@@ -1,4 +1,4 @@
-/* How far drawn numbers are from what they should be. */
+/* Distance of drawn numbers from the expected ones. */
 #ifndef MATC_VALUE_APART_H
 #define MATC_VALUE_APART_H
 #include <math.h>

@@ -1,5 +1,5 @@
-/* Documents in a folder of their own, with variants that differ in numbers, compiled by matc -d as
- * one batch. */
+/* Documents in a folder of their own, with variants that differ in numbers, compiled by matc -d
+ * as one batch. */
 #ifndef MATC_VALUE_BATCH_SET_H
 #define MATC_VALUE_BATCH_SET_H
 #include <cjson/cJSON.h>

@@ -1,5 +1,5 @@
-/* How far a shader may be from the oracle: tests/bounds.def, by the kinds, waves and slots that a
- * value is made of. */
+/* Allowed distance of a shader from the oracle: tests/bounds.def, by the kinds, waves and slots
+ * that contribute to a value. */
 #ifndef MATC_VALUE_BOUNDS_H
 #define MATC_VALUE_BOUNDS_H
 #include "compiler/graph/graph.h"

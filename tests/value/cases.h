@@ -1,5 +1,5 @@
-/* Arguments at which each library function is tested: tests/functions.def, and for volume maps the
- * POINTS lines of grammar/maps.def. */
+/* Arguments at which each library function is tested: tests/functions.def, and for volume maps
+ * the POINTS lines of grammar/maps.def. */
 #ifndef MATC_VALUE_CASES_H
 #define MATC_VALUE_CASES_H
 #include "tuple.h"

@@ -1,5 +1,5 @@
-/* The example documents, read twice: through the library's surface for its shaders, and as a Graph
- * for the oracle. */
+/* The example documents, read twice: through the library's interface for its shaders, and as a
+ * Graph for the oracle. */
 #ifndef MATC_VALUE_DOCUMENTS_H
 #define MATC_VALUE_DOCUMENTS_H
 #include "compiler/graph/graph.h"

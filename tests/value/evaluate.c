@@ -1,4 +1,4 @@
-/* Textures and inputs for ir_eval. */
+/* Provides textures and inputs for ir_eval. */
 #include "evaluate.h"
 #include "compiler/library/carpenter.h"
 #include <string.h>

@@ -1,4 +1,4 @@
-/* Recursive descent, and back. */
+/* Recursive descent parser of expressions, and their printer. */
 #include "expression.h"
 #include "compiler/ir/build.h"
 #include <ctype.h>

@@ -1,4 +1,4 @@
-/* Rows out of JSON. */
+/* Reads rows from the reflection's JSON. */
 #include "facts.h"
 #include <cJSON.h>
 #include <stdio.h>

@@ -1,4 +1,4 @@
-/* Rows that the driver answers. */
+/* Reads rows from OpenGL's queries of a linked program. */
 #include "facts.h"
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,6 +1,6 @@
-/* Rows out of SPIR-V, by its specification: one sweep over the instructions notes what is said of
- * each id; then the variables are looked at. An instruction's first word has its length in words in
- * the upper half, its opcode in the lower. */
+/* Reads rows from SPIR-V, by its specification: one sweep over the instructions notes the
+ * decorations of each id; then the variables are inspected. An instruction's first word has its
+ * length in words in the upper half, its opcode in the lower. */
 #include "grammar/layout_tables.h"
 #include "facts.h"
 #include <stdio.h>

@@ -1,4 +1,4 @@
-/* Folders of tests and benchmarks: removed, copied. */
+/* Removes and copies folders of tests and benchmarks. */
 #ifndef TESTS_VALUE_FOLDER_H
 #define TESTS_VALUE_FOLDER_H
 #include "tests/value/read_whole.h"

@@ -1,4 +1,4 @@
-/* Half floats, for tests of what RGBA16F targets hold. */
+/* Half floats, for tests of values in RGBA16F targets. */
 #ifndef MATC_VALUE_HALF_H
 #define MATC_VALUE_HALF_H
 #include <math.h>

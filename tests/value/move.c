@@ -1,4 +1,4 @@
-/* Along the unit vectors of tangents and normal. */
+/* Displaces along the unit tangents and normal. */
 #include "tests/value/move.h"
 #include "tests/value/documents.h"
 #include <math.h>

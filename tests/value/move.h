@@ -1,4 +1,4 @@
-/* Where the oracle has points of a surface once it is displaced. */
+/* The oracle's positions of displaced surface points. */
 #ifndef MATC_VALUE_MOVE_H
 #define MATC_VALUE_MOVE_H
 #include "compiler/oracle/oracle.h"

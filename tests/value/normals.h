@@ -1,5 +1,5 @@
-/* Encodings of unit normals beside the figures of numerics.md 1.1: how far a normal is from itself
- * after being stored. For the benchmark, which prints them, and the test, which holds them to the
+/* Errors of encodings of unit normals, next to the figures of numerics.md 1.1: the angle between
+ * a normal and its stored value. The benchmark prints them, and the test compares them with the
  * figures. */
 #ifndef MATC_TESTS_NORMALS_H
 #define MATC_TESTS_NORMALS_H

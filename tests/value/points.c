@@ -1,4 +1,4 @@
-/* Points and hulls. */
+/* Points, and hulls of the oracle's values around them. */
 #include "points.h"
 #include <stdio.h>
 #include <string.h>

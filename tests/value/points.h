@@ -1,5 +1,5 @@
-/* Surface points that tests shade, every number a float, and what the oracle says about them and
- * their neighbourhood. */
+/* Surface points that tests shade, every number a float, and the oracle's values at them and in
+ * their neighborhood. */
 #ifndef MATC_VALUE_POINTS_H
 #define MATC_VALUE_POINTS_H
 #include "compiler/oracle/oracle.h"

@@ -1,4 +1,4 @@
-/* A file as it is, for tests and benchmarks. */
+/* Reads a whole file unchanged, for tests and benchmarks. */
 #ifndef MATC_VALUE_READ_WHOLE_H
 #define MATC_VALUE_READ_WHOLE_H
 #include <stdio.h>

@@ -1,7 +1,7 @@
-/* Effect of rounding on a slot's value: its program as IR, each of whose operations has a random
- * error up to its bound. This gives a bound for a point where no bound of a map can hold: the slope
- * of a picture amplifies the rounding of its coordinate as often as the picture is repeated there.
- * */
+/* Effect of rounding on a slot's value: its program is evaluated as IR with a random error, up
+ * to its bound, in each operation. This gives a tolerance at points where no map's fixed bound
+ * can hold: the slope of a picture amplifies the rounding of its coordinate by the number of
+ * repetitions at the point. */
 #ifndef MATC_VALUE_ROUNDING_H
 #define MATC_VALUE_ROUNDING_H
 #include "tests/value/documents.h"

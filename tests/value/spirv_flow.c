@@ -1,4 +1,4 @@
-/* One walk over each function's blocks, which SPIR-V keeps in the order of structured control
+/* One walk over each function's blocks, which SPIR-V stores in the order of structured control
  * flow: header, construct, merge block. */
 #include "tests/value/spirv_flow.h"
 #include <glslang/Include/glslang_c_interface.h>

@@ -1,4 +1,4 @@
-/* Implicit derivatives in the control flow of a SPIR-V module: read from the words, by the
+/* Finds implicit derivatives in the control flow of a SPIR-V module: read from the words, by the
  * specification alone. */
 #ifndef MATC_VALUE_SPIRV_FLOW_H
 #define MATC_VALUE_SPIRV_FLOW_H

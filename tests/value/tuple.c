@@ -1,4 +1,4 @@
-/* Random numbers in ranges, and the ones beside which functions break. */
+/* Random numbers in ranges, and the special values at which functions tend to break. */
 #include "tuple.h"
 #include "compiler/library/java_random.h"
 #include "compiler/library/sky.h"

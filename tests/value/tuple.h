@@ -1,4 +1,4 @@
-/* Tuples of arguments for a library function: what each argument may be, ordinary values and
+/* Tuples of arguments for a library function: the range of each argument, ordinary values and
  * hostile ones. */
 #ifndef MATC_VALUE_TUPLE_H
 #define MATC_VALUE_TUPLE_H

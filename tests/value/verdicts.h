@@ -1,5 +1,5 @@
-/* Results of a run over many documents: its faults, one a slot, and the worst value of every
- * subject. Workers may add at once. */
+/* Results of a run over many documents: its faults, one per slot, and the worst value of every
+ * subject. Worker threads may add results concurrently. */
 #ifndef MATC_VALUE_VERDICTS_H
 #define MATC_VALUE_VERDICTS_H
 #include "tests/value/bounds.h"

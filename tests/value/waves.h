@@ -1,5 +1,5 @@
-/* Waves as semantics.md 2.4 has them, and their integrals, which means over boxes are made of:
- * W(v), and the integral from 0 to v. */
+/* Waves of semantics.md 2.4, and their integrals, from which means over boxes are made: W(v),
+ * and the integral from 0 to v. */
 #ifndef MATC_VALUE_WAVES_H
 #define MATC_VALUE_WAVES_H
 

@@ -1,4 +1,4 @@
-/* The ways in which test_value.c has every value made, and what may be asked of each. */
+/* The modes in which test_value.c computes every value, and the accuracy required of each. */
 #ifndef MATC_VALUE_WAYS_H
 #define MATC_VALUE_WAYS_H
 #include "tests/value/bounds.h"

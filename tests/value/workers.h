@@ -1,5 +1,5 @@
-/* Many threads that do the same: each takes its next part of what `user` points to by an atomic
- * number. */
+/* Worker threads that run one function: each takes the next part of the work at `user` by an
+ * atomic counter. */
 #ifndef MATC_VALUE_WORKERS_H
 #define MATC_VALUE_WORKERS_H
 

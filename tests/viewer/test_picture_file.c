@@ -1,6 +1,6 @@
-/* Pictures as files, read back by what did not write them: PNG by libpng's simple interface and its
- * chunks, OpenEXR by the compiler's reader of images and by the bytes of its chunks. What cannot be
- * written is told, and leaves nothing. */
+/* Picture files, read back by independent readers: PNG by libpng's simple interface and by its
+ * chunks, OpenEXR by the compiler's reader of images and by the bytes of its chunks. A failed
+ * write is reported, and leaves no file. */
 #include "tests/test.h"
 #include "runtime/viewer/picture_file.h"
 #include <OpenEXR/openexr.h>

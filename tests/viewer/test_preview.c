@@ -1,4 +1,4 @@
-/* The preview's pictures against what they should show: a sphere in its lights by the Phong shading
+/* The preview's pictures against their definition: a sphere in its lights by the Phong shading
  * of semantics.md 4.1, every slot. */
 /* ctest: seconds=14 */
 #include "tests/test.h"

@@ -1,4 +1,4 @@
-/* The contact sheet: its size, where its pictures lie, and that its names can be read. */
+/* The contact sheet: its size, the places of its pictures, and the legibility of its names. */
 /* ctest: quick */
 #include "tests/test.h"
 #include "runtime/viewer/font.h"

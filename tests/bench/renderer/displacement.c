@@ -1,5 +1,5 @@
-/* matbench displacement: how far displaced triangles are from the surface, by their number and by
- * how they are divided; how many are displaced and drawn a second. */
+/* matbench displacement: distance of displaced triangles from the true surface, by their number
+ * and subdivision method, and the number of triangles displaced and drawn per second. */
 #include "displacement.h"
 #include "tests/bench/matbench.h"
 #include "runtime/renderer/renderer.h"

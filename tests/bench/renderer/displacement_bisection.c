@@ -1,5 +1,5 @@
-/* matbench displacement, the table of bisection: what a view takes whose triangles are those of the
- * view before, but for what has changed; and what is kept for it. */
+/* matbench displacement, table of bisection: time and memory of a view that starts from the
+ * triangles of the previous view and updates only what changed. */
 #include "displacement.h"
 #include "tests/bench/matbench.h"
 #include "runtime/displace/bisection/displaced_bisection.h"

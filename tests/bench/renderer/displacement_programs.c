@@ -1,5 +1,5 @@
-/* matbench displacement, the table of programs: what a frame of displaced triangles takes that a
- * driver displaces as it draws, beside triangles that stand displaced in a buffer. */
+/* matbench displacement, table of programs: frame time when the driver displaces triangles at
+ * draw time, next to triangles that are stored displaced in a buffer. */
 #include "displacement.h"
 #include "tests/bench/matbench.h"
 #include "runtime/gpu_material/spaces.h"

@@ -1,6 +1,6 @@
-/* matbench displacement, the table of silhouettes: how far outlines of triangles are from those of
- * the surface, which is traced through a grid so fine that its triangles are a fraction of a
- * pixel. */
+/* matbench displacement, table of silhouettes: distance of the triangles' outlines from those of
+ * the surface. The surface is ray-marched through a grid so fine that its triangles are a
+ * fraction of a pixel. */
 #include "displacement.h"
 #include "tests/bench/matbench.h"
 #include "runtime/renderer/renderer.h"

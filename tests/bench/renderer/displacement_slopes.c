@@ -1,6 +1,5 @@
-/* matbench displacement, the table of slopes: what normals of a curved surface that is displaced
- * are off where those of its base are taken to stay as they are, and where they turn as the base
- * does. */
+/* matbench displacement, table of slopes: error of the normals on a displaced curved surface,
+ * with the base normal taken as constant and with its derivatives. */
 #include "displacement.h"
 #include "tests/bench/matbench.h"
 #include "tests/draw/curved.h"

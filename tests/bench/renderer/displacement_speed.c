@@ -1,5 +1,5 @@
-/* matbench displacement, the table of speed: how many triangles a second each method displaces,
- * into a mesh or a buffer, and how many the picture's first pass then draws. */
+/* matbench displacement, table of speed: triangles per second that each method displaces into a
+ * mesh or buffer, and triangles per second that the first pass then draws. */
 #include "displacement.h"
 #include "tests/bench/matbench.h"
 #include "runtime/displace/displaced.h"

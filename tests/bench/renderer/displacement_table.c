@@ -1,7 +1,7 @@
-/* matbench displacement, the table of the thesis: frames a second by the number of triangles, by
- * its third and second version at its numbers of steps, as it has them and here. Each frame the
- * camera has moved, so that all is divided, moved and drawn again; what stands in a buffer is drawn
- * alone. */
+/* matbench displacement, table of the thesis: frames per second by the number of triangles, for
+ * its third and second version at its step counts, its figures next to ours. The camera moves in
+ * each frame, so that all triangles are subdivided, displaced and drawn each time; triangles
+ * stored in a buffer are only drawn. */
 #include "displacement.h"
 #include "tests/bench/matbench.h"
 #include "runtime/frame_graph/frame.h"

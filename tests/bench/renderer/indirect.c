@@ -1,7 +1,7 @@
-/* matbench indirect: what voxels take: slice maps and their levels, by triangles; rays through them
- * by levels, voxel by voxel, and by the thesis' march; how calm a camera's path is:
- * indirect_path.c; what passes take: indirect_passes.c; time and error of qualities:
- * indirect_quality.c; the thesis' tables: indirect_table.c. */
+/* matbench indirect: cost of voxels: slice maps and their levels, by number of triangles; rays
+ * through the levels, voxel by voxel, and by the thesis' march. Further tables: flicker along a
+ * camera path (indirect_path.c), cost of passes (indirect_passes.c), time and error of qualities
+ * (indirect_quality.c), tables of the thesis (indirect_table.c). */
 #include "gen/render_text.h"
 #include "runtime/indirect/voxels/voxels.h"
 #include "indirect_passes.h"

@@ -1,6 +1,7 @@
-/* matbench indirect passes: what each pass of indirect light takes, by the driver's clock where it
- * has one, in the scenes that say what is to be reached, beside the thesis' march of 32 rays of 32
- * steps, all of a scene in turns. How far off they are is for test_frame_indirect_truth goals. */
+/* matbench indirect passes: time of each pass of indirect light, by the driver's timer query
+ * where available, in the scenes that have goals, next to the thesis' march of 32 rays of 32
+ * steps. All variants of a scene are timed alternately. The errors are measured by
+ * test_frame_indirect_truth goals. */
 #include "indirect_passes.h"
 #include "tests/bench/matbench.h"
 #include "runtime/gl/clock.h"

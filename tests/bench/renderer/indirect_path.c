@@ -1,6 +1,6 @@
-/* matbench indirect path: a camera goes around a ball and boxes in 60 frames; how far ambient
- * occlusion is off, and how much of that differs from frame to frame, which is what one sees as
- * flicker, by what is kept of frames before. */
+/* matbench indirect path: a camera moves around a ball and boxes in 60 frames. Measures the
+ * error of ambient occlusion, and its change from frame to frame, which is visible as flicker,
+ * by the share of history that is kept. */
 #include "indirect_path.h"
 #include "tests/bench/matbench.h"
 #include "runtime/scene_reader/scene_read.h"

@@ -1,6 +1,7 @@
-/* matbench indirect table: both tables of Thiedemann 2009, 6.2, with its values of keys, beside the
- * defaults at the same views. What "off" is counted from is this renderer's own hybrid, 512 rays a
- * pixel in 256 voxels along an edge: tests compare that with rays of Embree. */
+/* matbench indirect table: both tables of Thiedemann 2009, 6.2, with its parameter values, next
+ * to our defaults at the same views. The reference of the column "off" is this renderer's own
+ * hybrid method with 512 rays per pixel in 256 voxels along an edge, which tests compare with
+ * Embree's rays. */
 #include "indirect_table.h"
 #include "tests/bench/matbench.h"
 #include "runtime/scene_reader/scene_read.h"

@@ -1,6 +1,6 @@
-/* matbench render: what a frame takes, after the tables of the thesis: by materials, lights and
- * objects, beside a forward renderer, both without tone mapping, in turns, and of one picture; what
- * render_passes.h has. */
+/* matbench render: frame times as in the tables of the thesis: by the number of materials,
+ * lights and objects, next to a forward renderer, both without tone mapping and timed
+ * alternately; the time of a single picture; and the tables of render_passes.h. */
 #include <stdio.h>
 #include "tests/bench/matbench.h"
 #include "render_scenes.h"

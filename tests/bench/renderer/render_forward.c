@@ -1,14 +1,15 @@
-/* The G-buffer programs of matc, whose outputs become variables, with the renderer's own surface
- * model behind them. Their layout keeps every slot as the floats it was, so packing and unpacking
- * is nothing. A fragment program is
+/* The G-buffer programs of matc, with outputs turned into variables and followed by the
+ * renderer's own surface model. Their layout stores every slot as unchanged floats, so packing
+ * and unpacking cost nothing. A fragment program is
  *
- *     #version 450 core
- *     #define main surfaceMain
- *     ... what matc wrote; `uvec4 fragment0;` without the layout and `out` before it
- *     #undef main
- *     ... unpackTexels, surfaceLobe
- *     #define FORWARD_TEXELS fragment0, fragment1, fragment2
- *     ... main() below */
+ *   #version 450 core
+ *   #define main surfaceMain
+ *   ...                        matc's text; `uvec4 fragment0;` without its layout qualifier and
+ *   `out`
+ *   #undef main
+ *   ...                        unpackTexels, surfaceLobe
+ *   #define FORWARD_TEXELS fragment0, fragment1, fragment2
+ *   ...                        main() below */
 #include "render_forward.h"
 #include "runtime/gpu_scene/view_space.h"
 #include "runtime/gl/framebuffer.h"

@@ -1,6 +1,6 @@
-/* A plain forward renderer, for matbench render to compare with: a program for each material, which
- * lights in the fragment program; an object after the other, as the scene has them. Solids, points
- * and directional lights without shadows, ambient ones. OpenGL 4.5. */
+/* A plain forward renderer, as a baseline for matbench render: one program per material, which
+ * lights in the fragment program, and one draw per object in scene order. Supports opaque
+ * objects, point and directional lights without shadows, and ambient lights. OpenGL 4.5. */
 #ifndef RENDER_FORWARD_H
 #define RENDER_FORWARD_H
 #include "runtime/scene/scene.h"

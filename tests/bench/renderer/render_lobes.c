@@ -1,7 +1,7 @@
-/* Cost of a point light by surface: nanoseconds a pixel and light, from 1 to 64 lights, and
- * relative to Phong's. Frames of all surfaces and numbers of lights are drawn in turns, and the
- * least of each counts. `plastic+` is plastic in a scene in which another material has a coat and
- * fuzz. */
+/* Cost of a point light by surface model: nanoseconds per pixel and light, from 1 to 64 lights,
+ * and relative to Phong. Frames of all surfaces and light counts are drawn alternately; the
+ * minimum of each counts. `plastic+` is plastic in a scene in which another material has a coat
+ * and fuzz. */
 #include <stdio.h>
 #include "render_passes.h"
 #include "tests/bench/matbench.h"

@@ -1,4 +1,4 @@
-/* Cost of a frame's passes, bytes of a pixel, and cost of a transparent fragment. */
+/* Cost of a frame's passes, bytes per pixel, and cost of a transparent fragment. */
 #include <stdio.h>
 #include "render_passes.h"
 #include "tests/bench/matbench.h"

@@ -1,4 +1,5 @@
-/* Documents as text, the same on every machine: no number with a fraction goes through a locale. */
+/* Documents as text, identical on every machine: numbers with a fraction are never formatted by
+ * the locale. */
 #include "render_scenes.h"
 #include <math.h>
 #include <stdint.h>

@@ -1,4 +1,4 @@
-/* Scenes drawn for their times: by the renderer, and by the forward renderer beside it. */
+/* Scenes whose drawing is timed: by the renderer, and by the forward renderer. */
 #ifndef RENDER_TIME_H
 #define RENDER_TIME_H
 #include "compiler/base/text.h"

@@ -1,6 +1,6 @@
-/* matbench shadows: every way in which a light casts shadows, by how far their ends are from where
- * they should be, and by what a frame takes. What should be is what exact shadows are, which tests
- * compare with rays of Embree: so it runs where there is none. */
+/* matbench shadows: every shadow technique of a light, by the error of its shadow boundaries and
+ * by frame time. Exact shadows are the reference here, which tests compare with Embree's rays;
+ * so the benchmark runs without Embree. */
 #include "tests/bench/matbench.h"
 #include "shadows.h"
 #include "shadows_error.h"

@@ -1,5 +1,6 @@
-/* The thesis' claims of quality, in numbers: how a small map's volume compares with large maps, how
- * many quads have the right diagonal by chance, and how early a blurred volume starts. */
+/* The thesis' claims of quality, in numbers: the error of a small map's shadow volume next to
+ * large maps, the share of quads whose diagonal is right by chance, and how early a blurred
+ * volume begins. */
 #include "tests/bench/matbench.h"
 #include "runtime/scene_reader/scene_read.h"
 #include "shadows.h"

@@ -1,4 +1,4 @@
-/* Two pictures of the same points, and what tests/frame_reference/boundary.h makes of them. */
+/* Two pictures of the same points, compared by tests/frame_reference/boundary.h. */
 #include "shadows_error.h"
 #include "runtime/shadow/shadow_state.h"
 #include "runtime/frame_graph/frame.h"

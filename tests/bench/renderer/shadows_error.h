@@ -1,4 +1,4 @@
-/* How far ends of shadows are from where they should be, in texels of the default map. */
+/* Distance of shadow boundaries from the true ones, in texels of the default map. */
 #ifndef SHADOWS_ERROR_H
 #define SHADOWS_ERROR_H
 #include "shadows_scene.h"

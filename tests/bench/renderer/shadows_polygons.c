@@ -1,5 +1,5 @@
-/* Paths of data by sizes of maps, and what the thesis measures: frames a second by polygons, of
- * which all is drawn anew for each frame. */
+/* Data paths by shadow map size, and the thesis' measurement: frames per second by number of
+ * polygons, with every map redrawn in each frame. */
 #include "shadows.h"
 #include "tests/bench/matbench.h"
 #include "runtime/autotune/plot.h"

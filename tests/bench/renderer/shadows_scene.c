@@ -1,4 +1,4 @@
-/* Documents with balls where the casters stand, which become the mesh. */
+/* Documents with balls at the places of the casters; the balls are then replaced by the mesh. */
 #include "runtime/scene_reader/scene_read.h"
 #include "shadows_scene.h"
 #include <math.h>

@@ -1,4 +1,4 @@
-/* Scenes of matbench shadows: casters of one mesh, in sunlight, before different receivers, and the
+/* Scenes of matbench shadows: casters of one mesh in sunlight, with different receivers, and the
  * methods of a light. */
 #ifndef SHADOWS_SCENE_H
 #define SHADOWS_SCENE_H

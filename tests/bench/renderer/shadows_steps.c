@@ -1,5 +1,5 @@
-/* Steps of a moving light: pixels that turn from lit to dark and back, or the other way round, and
- * should not (tests/frame/flicker.h). */
+/* Steps of a moving light: counts pixels that wrongly change from lit to dark and back, or from
+ * dark to lit and back (tests/frame/flicker.h). */
 #include "shadows.h"
 #include "shadows_error.h"
 #include "tests/bench/matbench.h"

@@ -1,5 +1,5 @@
-/* Frames by several methods in turns, each by a renderer and a scene of its own, as a scene's light
- * has one method. */
+/* Frames by several methods, drawn alternately. Each method has its own renderer and scene,
+ * because a scene's light has one method. */
 #include "shadows.h"
 #include "tests/bench/matbench.h"
 #include <math.h>

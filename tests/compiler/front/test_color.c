@@ -1,6 +1,5 @@
-/* Colours of documents: what `colors:`, srgb() and linear() make of bytes and names, against values
- * of IEC 61966-2-1 as they are published, and whose file's meaning counts where files are
- * included. */
+/* Colors of documents: results of `colors:`, srgb() and linear() for bytes and names, against
+ * published values of IEC 61966-2-1, and which file's `colors:` applies to included files. */
 #include "tests/test.h"
 #include "compiler/document.h"
 #include "compiler/graph/graph.h"

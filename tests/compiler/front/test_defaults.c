@@ -1,6 +1,6 @@
 /* Defaults of documents: every parameter, the presets, the named colors, and the rows of
- * --precision, each written down here from semantics.md and the published palettes, and not from
- * the tables. */
+ * --precision, each written down here from semantics.md and the published palettes, not from the
+ * tables. */
 /* ctest: quick */
 #include "tests/test.h"
 #include "compiler/document.h"

@@ -1,5 +1,5 @@
-/* Every parameter of every map and material with values of every kind: what it is not for is an
- * error, and its place is the value's. */
+/* Every parameter of every map and material with values of every kind: a value of an unsuitable
+ * kind is an error at the value's place. */
 #include "tests/test.h"
 #include "compiler/matc.h"
 #include "grammar/tables.h"

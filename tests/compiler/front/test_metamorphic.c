@@ -1,6 +1,6 @@
-/* Documents that are written differently and mean the same: random maps in both, compared as IR in
- * double, as written and optimised, at hostile points. Where the optimiser is to see that they are
- * one, it leaves as many nodes of as much cost. */
+/* Metamorphic test: pairs of documents with different text and equal meaning, built of random
+ * maps. Both are compared as IR in double, as written and optimized, at hostile points. If the
+ * optimizer should recognize the equality, both must have equal node counts and costs. */
 #include "tests/test.h"
 #include "tests/stress/generate.h"
 #include "tests/stress/spread.h"

@@ -1,5 +1,5 @@
-/* MaterialX's noise and cells beside what its shader prints; Standard Surface's edge colour beside
- * OpenPBR's tint. */
+/* MaterialX's noise and cells against values printed by its shader; Standard Surface's edge
+ * color against OpenPBR's tint. */
 #include "tests/slot_values.h"
 
 /* -- MaterialX's noise3d, noise2d and fractal3d of four octaves, printed by its GLSL

@@ -1,6 +1,7 @@
-/* Materials of other models against what their publishers say, and against the Principled that a
- * reader of both specifications writes by hand. Published: MaterialX's example materials (Apache
- * 2.0; facts alone) standard_surface_{gold,copper,chrome,plastic,greysphere,brick_procedural},
+/* Translated materials of other models against their publishers' definitions, and against a
+ * Principled written by hand from both specifications. Published: MaterialX's example materials
+ * (Apache 2.0; facts alone)
+ * standard_surface_{gold,copper,chrome,plastic,greysphere,brick_procedural},
  * usd_preview_surface_{gold,plastic}, gltf_pbr_{plastic,carpaint}; the formulas of glTF 2.0,
  * UsdPreviewSurface 2.6. */
 #include "tests/slot_values.h"

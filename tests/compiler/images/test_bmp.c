@@ -1,6 +1,6 @@
-/* BMP files that are written here byte by byte, so that their texels are known: every depth, with a
- * palette and with masks, rows from the bottom and from the top. Then files that are cut off or lie
- * about themselves. Pictures of other formats are refused by their names. */
+/* BMP files written byte by byte here, so that their texels are known: every depth, palettes and
+ * masks, bottom-up and top-down rows. Then truncated files and inconsistent headers. Pictures of
+ * unsupported formats are refused with the format's name. */
 #include "tests/test.h"
 #include "tests/picture.h"
 

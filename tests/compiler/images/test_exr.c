@@ -1,5 +1,5 @@
-/* OpenEXR files that are read: channels, windows, compressions and tiles, and that their numbers
- * stay as they are. */
+/* OpenEXR files that are read: channels, windows, compressions and tiles; their numbers stay
+ * unchanged. */
 #include "tests/test.h"
 #include "tests/exr_file.h"
 

@@ -1,6 +1,6 @@
-/* JPEG files that are written here byte by byte, by ITU-T T.81 and with nothing of a library's, so
- * that their texels are known: blocks without any but their mean, 128 + DC / 8 where the table of
- * quantities is of ones. Then files that are broken or ask for too much. */
+/* JPEG files written byte by byte here, by ITU-T T.81 and without a library, so that their
+ * texels are known: blocks with only a DC coefficient, whose texels are 128 + DC / 8 with a
+ * quantization table of ones. Then broken files and files that demand too much memory. */
 #include "tests/test.h"
 #include "tests/picture.h"
 

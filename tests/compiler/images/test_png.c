@@ -1,6 +1,6 @@
-/* Pictures: files that are written here byte by byte, by the PNG specification and with nothing of
- * the product's, so that their texels are known; what the reader makes of them, and what the
- * reference answers for them. */
+/* PNG files written byte by byte here, by the specification and without the product's code, so
+ * that their texels are known: the texels that the reader returns, and the values that the
+ * reference samples from them. */
 /* ctest: quick */
 #include "tests/test.h"
 #include "tests/picture.h"

@@ -1,4 +1,4 @@
-/* --layout=auto: the smallest layouts are small, whatever the order of their materials, and every
+/* --layout=auto: the resulting layouts are small, independent of the materials' order, and every
  * material has a case. */
 #include "tests/test.h"
 #include "compiler/layout/layout.h"

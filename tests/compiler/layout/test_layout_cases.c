@@ -1,4 +1,4 @@
-/* --layout=auto: which sets of slots are kept of many materials, and how they are divided into
+/* --layout=auto: the set of slots that is stored for many materials, and its division into
  * cases. */
 /* ctest: quick */
 #include "tests/test.h"

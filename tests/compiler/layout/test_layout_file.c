@@ -1,5 +1,5 @@
-/* Layouts from files: what matc writes of a layout reads back to it, and what one's own layouts
- * promise they keep. */
+/* Layouts from files: matc's output for a layout reads back as the same layout, and user-defined
+ * layouts keep their stated errors. */
 /* ctest: quick */
 #include "tests/test.h"
 #include "compiler/layout/layout_read.h"

@@ -1,6 +1,6 @@
-/* Values packed into half floats survive a real RGBA16F target: every code of packPair, and normals
- * through the spheremap. The GLSL is the library's own, drawn; the reading side is a second program
- * that samples the target. */
+/* Values packed into half floats survive a real RGBA16F target: every code of packPair, and
+ * normals through the spheremap. The GLSL is the library's own, drawn; a second program samples
+ * the target. */
 /* ctest: quick */
 #include "tests/test.h"
 #include "tests/draw/canvas.h"

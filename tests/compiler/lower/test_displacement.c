@@ -1,7 +1,7 @@
-/* True displacement: the program that shows it and its slopes, in double, against the oracle; and
- * the bound that matc proves, against closed forms and many points; normals on curved bases,
- * against closed forms. Normals of displaced surfaces are test_equiv's and test_value's besides, by
- * the examples. */
+/* True displacement: the program for it and its slopes, in double, against the oracle; the bound
+ * that matc proves, against closed forms and many points; normals on curved bases, against
+ * closed forms. test_equiv and test_value also compare normals of displaced surfaces, by the
+ * examples. */
 /* ctest: seconds=11 */
 #include "tests/test.h"
 #include "compiler/choice.h"

@@ -1,6 +1,6 @@
-/* --coordinates=long: chains of scales, offsets and turns that affine.c takes together have the
- * values of the oracle, which follows them step by step. In double, so that every offset and every
- * digit of a factor counts. test_stress and the accuracy page see to floats. */
+/* --coordinates=long: chains of scales, offsets and rotations that affine.c composes have the
+ * values of the oracle, which applies them step by step. In double, so that every offset and
+ * every digit of a factor counts. test_stress and the accuracy page cover floats. */
 #include "tests/test.h"
 #include "tests/stress/pixel.h"
 #include "tests/value/documents.h"

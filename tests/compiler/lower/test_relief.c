@@ -1,6 +1,6 @@
-/* Slopes of displacements under each --derivatives, by closed forms: what the oracle says of the
- * normal at a point, which the programs are held to by test_value and test_stress. And where a
- * displacement has no slope, that is said. */
+/* Slopes of displacements under each --derivatives, by closed forms: the oracle's normal at a
+ * point, which test_value and test_stress compare with the programs. A displacement without a
+ * slope is reported. */
 #include "tests/test.h"
 #include "compiler/matc.h"
 #include <math.h>

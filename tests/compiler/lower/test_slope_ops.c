@@ -1,6 +1,6 @@
-/* The slope of every operation by every operand, and of every library function of slopes.def,
- * against differences of what the fold or the reference makes of them in double precision. Operands
- * vary alone and together. At a jump or a crease nothing is asked. */
+/* The derivative of every operation by every operand, and of every library function of
+ * slopes.def, against finite differences of the folded operation or the C reference in double.
+ * Operands vary alone and together. Points at a jump or a crease are skipped. */
 #include "tests/test.h"
 #include "compiler/ir/fold.h"
 #include "compiler/pipeline.h"

@@ -1,6 +1,6 @@
-/* --aa=box and --aa=aniso against means of the unfiltered map over the same footprints, in double
- * by ir_eval. AREA_ONLY=part-of-a-name in the environment looks at those rows only; AREA_SEED=N
- * takes other footprints, for which the bounds of areas.def are not meant. */
+/* --aa=box and --aa=aniso against means of the unfiltered map over the same footprints, in
+ * double by ir_eval. AREA_ONLY=part-of-a-name in the environment selects rows; AREA_SEED=N takes
+ * other footprints, to which the bounds of areas.def do not apply. */
 /* ctest: unsanitized */
 #include "tests/test.h"
 #include "compiler/pipeline.h"

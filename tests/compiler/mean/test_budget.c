@@ -1,6 +1,6 @@
-/* --aa=auto: what it averages in the shader costs at most a tenth of the program, of a plane as
- * much again, which is told by programs of every example, and it averages what the documents below
- * say. Pictures are the sampler's anyhow. */
+/* --aa=auto: the averaging costs at most a tenth of the program, or as much as the program on a
+ * plane. The cost is counted on programs of every example, and the documents below state which
+ * maps are averaged. Pictures are always averaged, by the sampler. */
 #include "tests/test.h"
 #include "tests/value/bounds.h"
 #include "tests/value/documents.h"

@@ -1,5 +1,5 @@
-/* --aa as it is drawn, where what a pixel should show has a closed form: rectangles along the axes,
- * whole periods. */
+/* --aa as drawn, for pixels whose mean has a closed form: rectangles along the axes, whole
+ * periods. */
 #include "tests/test.h"
 #include "tests/value/apart.h"
 #include "tests/draw/sheet.h"

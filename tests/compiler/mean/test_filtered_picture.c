@@ -1,5 +1,4 @@
-/* --aa of pictures, as it is drawn: texels that the test made, and mipmaps that it makes by
- * hand. */
+/* --aa of pictures, as drawn: texels and mipmaps are made by the test. */
 #include "tests/test.h"
 #include "tests/value/apart.h"
 #include "tests/draw/mipmaps.h"

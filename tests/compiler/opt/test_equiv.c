@@ -1,6 +1,6 @@
-/* Lowering and optimiser, proved without GLSL: the IR as written and the optimised IR of every
- * example, evaluated in double precision, have the values of the oracle, which knows neither. And
- * an IR's text reads back as the same text. */
+/* Lowering and optimizer, tested without GLSL: the IR as written and the optimized IR of every
+ * example, evaluated in double precision, equal the values of the oracle, which shares no code
+ * with either. An IR's text reads back as the same text. */
 /* ctest: seconds=14 */
 #include "tests/test.h"
 #include "tests/sanitized.h"

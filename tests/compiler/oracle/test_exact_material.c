@@ -1,5 +1,5 @@
-/* Whole materials against 200 bits: each a document and its formulas, written from semantics.md and
- * not from the oracle. */
+/* Whole materials against arithmetic of 200 bits: each a document and its formulas, written from
+ * semantics.md and not from the oracle. */
 /* ctest: quick alone */
 #include "tests/exact.h"
 

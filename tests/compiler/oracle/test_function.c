@@ -1,5 +1,5 @@
-/* Every library function and every volume map's: its GLSL, drawn, against its reference in double
- * at the same floats. */
+/* Every library function and every volume map's function: its GLSL, drawn, against its C
+ * reference in double at the same floats, within the bound of its row in functions.def. */
 /* ctest: unsanitized seconds=14 */
 #include "tests/test.h"
 #include "compiler/ir/ir.h"

@@ -1,4 +1,5 @@
-/* The oracle against closed forms: the noise maps' check values, and the rules of the materials. */
+/* The oracle against closed forms: check values of the noise maps, and the rules of the
+ * materials. */
 /* ctest: quick */
 #include "tests/oracle_fixture.h"
 

@@ -1,5 +1,5 @@
 /* The C references of the library functions: check values of the semantics, closed forms, round
- * trips, behaviour at the edges. */
+ * trips, behavior at the edges. */
 /* ctest: alone */
 #include "tests/test.h"
 #include "compiler/ir/ir.h"

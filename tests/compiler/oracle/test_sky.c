@@ -1,6 +1,6 @@
 /* SunSkyLight against the paper: Preetham, Shirley and Smits, A Practical Analytic Model for
- * Daylight (1999), with the numbers of its appendix typed in here, and the sun's colour by the
- * CIE's 1931 table where the product has a fit to it. */
+ * Daylight (1999), with the numbers of its appendix typed in here, and the sun's color by the
+ * CIE's 1931 table, for which the product has a fit. */
 #include "tests/test.h"
 #include "compiler/matc.h"
 #include <math.h>

@@ -1,5 +1,5 @@
-/* A small run of what `matbench stress` does without end: random documents mean the same to all who
- * evaluate them. */
+/* A short run of `matbench stress`: a random document has one meaning for the oracle, the IR and
+ * the drawn program. */
 /* ctest: seconds=10 */
 #include "tests/test.h"
 #include "tests/sanitized.h"

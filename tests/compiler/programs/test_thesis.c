@@ -1,4 +1,4 @@
-/* The thesis' own program, its listing 4.2, beside what matc writes for the same tree: the same
+/* The thesis' own program, its listing 4.2, against matc's program for the same tree: the same
  * four render targets. */
 /* ctest: quick */
 #include "tests/test.h"

@@ -1,7 +1,7 @@
-/* Bisection by compute stages, under OSMesa: its triangles against those of the processor's
- * bisection by the same error, in double; the same set however the camera came there; each side of
- * a triangle with another bit for bit, from 64 cameras; what is not enough room for; pictures
- * against those of fine meshes, and shadows of what the camera does not see. */
+/* Bisection by compute stages, under OSMesa: its triangles against CPU bisection by the same
+ * error bound, in double; the set is independent of the camera's path; shared edges are equal
+ * bit for bit, from 64 cameras; buffers that are too small; pictures against those of fine
+ * meshes, and shadows of casters outside the view. */
 /* ctest: unsanitized seconds=17 */
 #include "tests/frame/bisection_body.h"
 #include "tests/frame_reference/bisection_reference.h"

@@ -1,5 +1,6 @@
-/* Bisection for the shadows of an Area, under OSMesa: nowhere coarser than for a lamp at any of its
- * points, seldom finer than for all of these, and as for one lamp where it is small. */
+/* Bisection for the shadows of an Area light, under OSMesa: nowhere coarser than for a point
+ * light anywhere on it, seldom finer than for all such lights, and equal to that of a point
+ * light if the Area is small. */
 /* ctest: unsanitized */
 #include "tests/frame/bisection_body.h"
 #include "runtime/scene/scene_matrix.h"

@@ -1,5 +1,5 @@
-/* Bisection by compute stages where the camera moves by little: triangles that cannot have changed
- * are not looked at again, and what there is is what a mesh has that has seen nothing before. */
+/* Bisection by compute stages under small camera moves: triangles that cannot have changed are
+ * not evaluated, and the result equals that of a mesh without history. */
 /* ctest: unsanitized */
 #include "tests/frame/bisection_body.h"
 #include <stdio.h>

@@ -1,6 +1,6 @@
-/* Patches out of view of meshes that the driver displaces, drawn under OSMesa: they get no
- * triangles where nobody but the camera looks, and no shadow of theirs can come into view, and all
- * of them elsewhere; pictures are the same, bit for bit. */
+/* Culling of patches outside the view for meshes that the driver displaces, drawn under OSMesa:
+ * a patch gets no triangles if only the camera sees it and its shadow cannot come into view, and
+ * all of them otherwise; pictures are equal bit for bit. */
 /* ctest: seconds=23 */
 #include "tests/frame/frame_compare.h"
 #include "tests/frame/frame_draw.h"

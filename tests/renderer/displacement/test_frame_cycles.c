@@ -1,7 +1,7 @@
-/* Displaced surfaces against Cycles, which divides and displaces them by nodes of its own:
- * tests/reference/README.md. What each method's triangles may be off is said by their size and by
- * the second derivative of the surface; of what is traced nothing is, but what Cycles' own parts
- * are. */
+/* Displaced surfaces against Cycles, which subdivides and displaces them by its own nodes:
+ * tests/reference/README.md. The tolerance of each method's triangles follows from their size
+ * and the surface's second derivative; for ray-marched surfaces it is only that of Cycles' own
+ * triangles. */
 /* ctest: unsanitized seconds=17 */
 #include "tests/frame/frame_compare.h"
 #include "tests/frame/frame_draw.h"

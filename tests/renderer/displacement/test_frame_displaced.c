@@ -1,6 +1,7 @@
-/* Meshes that the driver displaces, drawn under OSMesa: their points against the C reference's, by
- * which meshes are displaced; no hole in what is closed, wherever levels meet, edges are hard or
- * texture coordinates have a seam; pictures, shadows and changes against what meshes give. */
+/* Meshes that the driver displaces, drawn under OSMesa: their points against the C reference for
+ * displaced meshes; closed meshes have no hole where tessellation levels meet, edges are hard or
+ * texture coordinates have a seam; pictures, shadows and changes against those of displaced
+ * meshes. */
 /* ctest: unsanitized */
 #include "runtime/tessellate/scene_displace.h"
 #include "tests/frame/frame_compare.h"

@@ -1,5 +1,5 @@
-/* Displaced objects in pictures: no hole in what is closed, from 64 sides; outlines, light and
- * shadows of each method against rays of Embree, where the material at a point is the oracle's. */
+/* Displaced objects in pictures: closed meshes have no hole, from 64 sides; outlines, light and
+ * shadows of each method against Embree's rays, with the oracle's material at each point. */
 /* ctest: seconds=82 */
 #include "tests/frame/frame_compare.h"
 #include "tests/frame/frame_draw.h"

@@ -1,6 +1,6 @@
-/* Meshes that are divided by feedback, drawn under OSMesa: as many triangles as the criterion has
- * in double; the points of an even division where nothing is too far; gaps, which each kind of
- * skirts hides; fewer triangles of skirts a step before the last. */
+/* Meshes subdivided by transform feedback, drawn under OSMesa: the triangle count that the
+ * criterion gives in double; the points of a uniform subdivision where no edge is too long;
+ * gaps, which each kind of skirts hides; fewer skirt triangles one step before the last. */
 /* ctest: seconds=10 */
 #include "tests/frame/frame_compare.h"
 #include "tests/frame/displaced_bodies.h"

@@ -1,7 +1,7 @@
-/* Meshes that geometry programs displace, drawn under OSMesa: their points are those of meshes that
- * the C reference displaced, within and beyond what one call writes; where patches are divided each
- * for itself there are gaps, and skirts of each kind hide them; what stands for points stands where
- * the grid has them. */
+/* Meshes displaced by geometry programs, drawn under OSMesa: their points equal those of meshes
+ * that the C reference displaced, below and above the output limit of one invocation;
+ * independently subdivided patches have gaps, which skirts of each kind hide; stand-in points
+ * are at the grid's points. */
 /* ctest: seconds=43 */
 #include "tests/frame/frame_compare.h"
 #include "tests/frame/displaced_bodies.h"

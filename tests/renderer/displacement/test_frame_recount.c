@@ -1,5 +1,5 @@
-/* Transparent fragments and layers are counted again where the scene changes: a list that was made
- * for few would lose what is too many. */
+/* Transparent fragments and layers are counted a second time after the scene changes: a list
+ * sized for a few would lose fragments. */
 /* ctest: seconds=25 */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"

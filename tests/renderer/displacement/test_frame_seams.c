@@ -1,7 +1,8 @@
-/* Pictures are read with one footprint all over a flat face, also along the edges of its
- * triangles: there a quad of pixels has helper invocations, which in Mesa's software driver read
- * 0 from a storage buffer. Two materials share a program and differ in a number of their texture
- * coordinate, so that a buffer has it. The truth is --aa=none, which takes no footprint. */
+/* Pictures are sampled with one footprint all over a flat face, also along its triangles' edges:
+ * there a 2 x 2 quad of pixels has helper invocations, which read 0 from a storage buffer in
+ * Mesa's software driver. Two materials share a program and differ in a constant of their
+ * texture coordinate, so that a buffer holds it. The reference is --aa=none, which uses no
+ * footprint. */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include <math.h>

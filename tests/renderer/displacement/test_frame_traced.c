@@ -1,6 +1,6 @@
-/* Surfaces that are traced, drawn under OSMesa: a wave against its closed form, which is marched
- * through in double; a ball and a box of rock against Embree's rays through meshes that the C
- * reference displaced finely; shadow maps; exact shadows, which get the grid instead. */
+/* Ray-marched displacement, drawn under OSMesa: a wave against its closed form, marched in
+ * double; a ball and a box of rock against Embree's rays through meshes that the C reference
+ * displaced finely; shadow maps; exact shadows, which use the grid instead. */
 /* ctest: seconds=20 */
 #include "tests/frame/frame_compare.h"
 #include "tests/frame/frame_draw.h"

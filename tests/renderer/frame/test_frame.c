@@ -1,5 +1,5 @@
-/* Frames against a reference in double (frame/reference_light.h), in every way there is; the depth
- * of planes; tones; what cannot be drawn. */
+/* Frames against a reference in double (frame/reference_light.h), with every pipeline variant;
+ * the depth of planes; tone mapping; scenes that cannot be drawn. */
 /* ctest: seconds=30 */
 #include "tests/test.h"
 #include "tests/frame/frame_compare.h"

@@ -1,5 +1,5 @@
-/* Calls of frames: a second frame only draws, materials share programs, views leave out passes that
- * nobody reads. */
+/* GL calls of frames: a second frame only draws, materials share programs, views omit unused
+ * passes. */
 /* ctest: seconds=41 */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"

@@ -1,4 +1,5 @@
-/* Scenes that change, against scenes that are drawn anew; what each change makes and writes. */
+/* Changed scenes against newly opened ones; the objects and buffers that each change creates and
+ * writes. */
 /* ctest: seconds=14 */
 #include "tests/test.h"
 #include "tests/frame/frame_calls.h"

@@ -1,5 +1,5 @@
-/* No program that the renderer hands to the driver has an implicit derivative in non-uniform
- * control flow: glslang makes SPIR-V of the text, whose blocks are walked. */
+/* No program that the renderer gives to the driver has an implicit derivative in non-uniform
+ * control flow: glslang compiles the text to SPIR-V, whose blocks are walked. */
 /* ctest: unsanitized */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"

@@ -1,5 +1,5 @@
-/* Refusals of a driver, or of a set of materials: the material is named, with its place; the format
- * of a target; a mesh that is too large. */
+/* Errors of a driver, or of a set of materials: the message names the material and its place,
+ * the format of a target, or a mesh that is too large. */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include <stdio.h>

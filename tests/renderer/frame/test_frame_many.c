@@ -1,5 +1,5 @@
-/* Many objects: instances against objects drawn one by one, and against what is not culled; how
- * many calls it takes. */
+/* Many objects: instances against objects drawn individually and against drawing without
+ * culling; the number of draw calls. */
 /* ctest: unsanitized seconds=16 */
 #include "tests/test.h"
 #include "runtime/gpu_scene/cull.h"

@@ -1,5 +1,5 @@
-/* Targets that lie in each other's memory: bytes a pixel, counted by hand, and the picture that
- * targets of their own give, bit for bit. */
+/* Render targets that alias each other's memory: bytes per pixel, counted by hand, and pictures
+ * equal bit for bit to those with separate targets. */
 /* ctest: seconds=25 */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"

@@ -1,6 +1,6 @@
-/* Scenes far from the world's origin, under OSMesa: examples moved by 1e6 and by the earth's radius
- * have the pictures that they have where they are, and turned with their cameras nearly so; cameras
- * that go far; what reads the position in the world. */
+/* Scenes far from the world's origin, under OSMesa: examples moved by 1e6 and by the earth's
+ * radius have unchanged pictures, and rotated with their cameras nearly so; cameras that travel
+ * far; materials that read the world position. */
 /* ctest: unsanitized seconds=130 */
 #include "tests/test.h"
 #include "runtime/renderer/matc_render.h"

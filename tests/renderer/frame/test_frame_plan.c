@@ -1,6 +1,6 @@
-/* Plans of frames, worked out by hand: which passes run, which targets there are, which share
- * memory. And of random lists of passes: what runs finds what it reads, and no two that live at
- * once share. And of the renderer's own list. */
+/* Frame graphs worked out by hand: which passes run, which targets are allocated, which share
+ * memory. For random lists of passes: inputs of a running pass were written before, and no two
+ * live targets share memory. Also the renderer's own list. */
 #include "tests/test.h"
 #include <stdlib.h>
 #include <string.h>

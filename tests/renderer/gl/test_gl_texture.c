@@ -1,5 +1,6 @@
-/* Textures of the GL layer, in software: what they hold, codes of sRGB, footprints. test_gl_texture
- * egl: by EGL, whose drivers take more samples along a footprint; status 77 where there is none. */
+/* Textures of the GL layer on a software driver: their texels, sRGB codes, footprints.
+ * test_gl_texture egl: by EGL, whose drivers take more anisotropic samples; exit status 77
+ * without EGL. */
 #include "tests/test.h"
 #include "runtime/gl/framebuffer.h"
 #include "runtime/gl/mesh.h"

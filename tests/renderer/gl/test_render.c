@@ -1,6 +1,6 @@
-/* The bridge from a MatcProgram to GL: what is shared is there once, what is a material's own stays
- * its own, numbers change in their buffer, blocks are filled as the driver lays them out, what
- * fails says so and leaves nothing behind. */
+/* The bridge from a MatcProgram to GL: shared objects exist once, a material's own objects stay
+ * separate, constants are updated in their buffer, blocks are filled in the driver's layout, and
+ * a failure is reported and leaks nothing. */
 #include "tests/test.h"
 #include "runtime/gpu_material/field.h"
 #include "runtime/gpu_material/reader.h"

@@ -1,5 +1,5 @@
-/* Shapes and matrices of the GL layer: which way they turn, that derivatives are those of the
- * position, and which are closed. */
+/* Shapes and matrices of the GL layer: orientation of rotations, tangents equal the derivatives
+ * of the position, and closed shapes are reported as closed. */
 #include "tests/test.h"
 #include "runtime/gl/matrix.h"
 #include "runtime/gl/mesh.h"

@@ -1,5 +1,5 @@
-/* Surface models beside Phong, which the renderer has never heard of: Lambert's, which is Phong
- * without its lobe, and a flat one, whose picture is its slot. No pass is another for them. */
+/* Surface models that the renderer does not know: Lambert's, which is Phong without its lobe,
+ * and a flat one, whose picture is its slot. No other pass changes for them. */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include <math.h>

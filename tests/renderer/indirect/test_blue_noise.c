@@ -1,6 +1,6 @@
-/* The mask of blue noise (runtime/indirect/rays/blue_noise.c): it is what void-and-cluster gives,
- * and its spectrum has next to nothing low, whatever white noise has. `build/tests/test_blue_noise
- * print`: its rows, as that file has them. */
+/* The blue noise mask (runtime/indirect/rays/blue_noise.c): equals the result of
+ * void-and-cluster, and its spectrum has almost no low frequencies, compared with white noise.
+ * `build/tests/test_blue_noise print` prints its rows in that file's format. */
 #include "tests/test.h"
 #include "runtime/indirect/rays/blue_noise.h"
 #include "tests/vectors.h"

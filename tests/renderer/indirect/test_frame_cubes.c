@@ -1,4 +1,4 @@
-/* The view of voxels against small steps along each ray; what is refused. */
+/* The voxel view against small steps along each ray; refused settings. */
 #include "tests/test.h"
 #include "runtime/indirect/voxels/voxels.h"
 #include "tests/frame/frame_draw.h"

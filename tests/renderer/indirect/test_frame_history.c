@@ -1,5 +1,5 @@
-/* Temporal accumulation: means over sets of rays, where a camera or an object moves, and when it
- * stops. */
+/* Temporal accumulation: means over sets of rays, under a moving camera or object, and after the
+ * motion stops. */
 /* ctest: unsanitized */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"

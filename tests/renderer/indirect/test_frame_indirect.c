@@ -1,5 +1,5 @@
-/* Ambient occlusion and indirect light by what the picture shows, against closed forms; what
- * becomes of it in the light. */
+/* Screen-space ambient occlusion and indirect light, against closed forms; their effect on the
+ * lit picture. */
 /* ctest: seconds=20 */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"

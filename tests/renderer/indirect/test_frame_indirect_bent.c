@@ -1,6 +1,6 @@
-/* Bent normals, the means of directions that are open, against rays of Embree; and what light of
- * half a sky would be by them, against the same rays: by ambient occlusion times what arrives along
- * the normal, and along the bent one; and what it is, by the rays that meet nothing, and with
+/* Bent normals, the mean unoccluded directions, against Embree's rays; and the light of a half
+ * sky, against the same rays: estimated by ambient occlusion times the irradiance along the
+ * normal and along the bent normal, and as rendered, by the rays that miss, and with
  * `directional: false`. */
 /* ctest: seconds=10 */
 #include "tests/test.h"

@@ -1,5 +1,5 @@
-/* No glow at shadow edges: across the sharp edge of a lamp's shadow light that comes by other
- * surfaces goes on evenly. */
+/* No halo at shadow boundaries: indirect light is smooth across the sharp boundary of a lamp's
+ * shadow. */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame_reference/shadow_ray.h"

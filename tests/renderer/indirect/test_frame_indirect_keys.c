@@ -1,5 +1,5 @@
-/* Keys of `indirect:` that no other test looks at, by what they are said to do: the contrast of
- * ambient occlusion, and how far off the surface rays begin. */
+/* Keys of `indirect:` without another test, against their documentation: the contrast of ambient
+ * occlusion, and the offset of rays from the surface. */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include <math.h>

@@ -1,7 +1,7 @@
-/* Ambient occlusion and indirect light by every method against many rays in double; how far each is
- * off is printed, and bounded. `build/tests/test_frame_indirect_truth goals [FILE.obj LIFT
- * [KEYS...]]`, or `errors` without times: rows of docs/results/indirect.md, of what is to be
- * reached; of that mesh, y up, so far above the ground, as well. */
+/* Ambient occlusion and indirect light by every method against many rays in double; the error of
+ * each is printed, and bounded. `build/tests/test_frame_indirect_truth goals [FILE.obj LIFT
+ * [KEYS...]]`, or `errors` without times: prints the rows of goals of docs/results/indirect.md;
+ * with FILE.obj also for that mesh, y up, LIFT above the ground. */
 /* ctest: unsanitized */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"

@@ -1,6 +1,7 @@
-/* Indirect light where the driver has less than OpenGL 4.3: there is no compute, and there are no
- * voxels. `auto` takes what there is, and says why; what takes voxels is an error by name; pictures
- * are those of newer drivers. Mesa says that it is older where MESA_GL_VERSION_OVERRIDE does. */
+/* Indirect light on drivers below OpenGL 4.3, without compute and voxels. `auto` selects an
+ * available method and reports the reason; a method that needs voxels is an error that names the
+ * method; pictures equal those of newer drivers. MESA_GL_VERSION_OVERRIDE makes Mesa report an
+ * older version. */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include <math.h>

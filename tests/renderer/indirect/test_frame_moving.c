@@ -1,5 +1,5 @@
-/* `moving:` of indirect light: a frame in which something is another than before is what the
- * coarser resolution gives; the next one, where nothing is, what the finer does. */
+/* `moving:` of indirect light: a frame with a change equals one at the coarser resolution; the
+ * next frame, without changes, equals one at the finer resolution. */
 /* ctest: unsanitized */
 #include "tests/test.h"
 #include "runtime/indirect/radiance/radiance.h"

@@ -1,5 +1,5 @@
-/* The truth of indirect light, by rays, against closed forms: walls, balls, a lamp's form factor,
- * two bounces between planes; weights by distance. */
+/* The ray-traced reference of indirect light against closed forms: walls, balls, a lamp's form
+ * factor, two bounces between planes; weights by distance. */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame_reference/open_ray.h"

@@ -1,6 +1,5 @@
-/* The view of what the picture knows as a mesh, from beside, against rays in double: what it shows
- * grey is what a camera there meets of what the picture's own camera sees, too, and from the same
- * side. */
+/* The view of the depth buffer as a mesh, seen from the side, against rays in double: its gray
+ * pixels are surfaces that the picture's own camera also sees, from the same side. */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame_reference/reference_ray.h"

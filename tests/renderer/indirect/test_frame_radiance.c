@@ -1,6 +1,6 @@
-/* Light of what the picture does not show: nothing of it gets through walls, what is behind the
- * camera sends what rays in double say, as infinite planes do, and what changes is as if it were
- * made anew. */
+/* Light of surfaces outside the picture: no leaks through walls; surfaces behind the camera, and
+ * infinite planes, send the light that rays in double find; after a change the light equals that
+ * of a new renderer. */
 /* ctest: unsanitized seconds=40 */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"

@@ -1,6 +1,6 @@
-/* Bodies as voxels: what crosses, what is thin, what is hostile. No ray gets out of a room whose
- * walls cross in its corners, from half a voxel to two thick; bodies that cross leave nothing out;
- * documents that are meant to harm give voxels, in time, and no fault of GL. */
+/* Closed meshes as voxels: intersecting, thin and hostile ones. No ray leaves a room whose walls
+ * cross in its corners, with walls from half a voxel to two voxels thick; intersecting meshes
+ * leave no gaps; hostile documents give voxels in bounded time and without a GL error. */
 #include "tests/test.h"
 #include "runtime/indirect/voxels/voxels.h"
 #include "tests/frame/frame_calls.h"

@@ -1,6 +1,6 @@
-/* Cut-outs in voxels: which are full against what is cut away in double, ambient occlusion and
- * light beneath them against rays in double; a closed mesh with holes is no body; what is cut away
- * may change. */
+/* Alpha-tested surfaces in voxels: which voxels are full, against the alpha test in double;
+ * ambient occlusion and light beneath them against rays in double; a closed mesh with holes does
+ * not count as watertight; the cut-outs may change. */
 #include "tests/test.h"
 #include "runtime/indirect/voxels/voxels.h"
 #include "tests/frame/frame_draw.h"

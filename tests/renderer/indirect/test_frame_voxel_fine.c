@@ -1,7 +1,7 @@
-/* Surfaces of small triangles, which need no rasteriser: they fill the voxels that the rasteriser
- * fills, but for those on its edges; a shell whose corners and edges lie on the lines that are
- * asked keeps a flood out, however it is turned; large triangles, and what is cut out, stay with
- * the rasteriser. */
+/* Voxelization of small triangles without the rasterizer: they fill the same voxels as the
+ * rasterizer, except on their edges; a shell whose corners and edges lie on sample lines is
+ * watertight to a flood fill, at any rotation; large triangles, and alpha-tested ones, use the
+ * rasterizer. */
 /* ctest: seconds=21 */
 #include "tests/test.h"
 #include "runtime/indirect/voxels/voxels.h"

@@ -1,7 +1,7 @@
-/* How open points are by rays through voxels, against the same rays by Embree: closed meshes as
- * bodies and as surfaces, by where rays begin. Prints the table of docs/results/indirect.md.
- * `build/tests/test_frame_voxel_open FILE.obj LIFT`: of that mesh, y up, so far above the
- * ground. */
+/* Ambient occlusion of points by rays through voxels, against the same rays by Embree: closed
+ * meshes voxelized as solids and as surfaces, by the rays' start offset. Prints the table of
+ * docs/results/indirect.md. `build/tests/test_frame_voxel_open FILE.obj LIFT` uses that mesh, y
+ * up, LIFT above the ground. */
 #include "tests/test.h"
 #include "runtime/indirect/voxels/voxels.h"
 #include "tests/frame/frame_draw.h"

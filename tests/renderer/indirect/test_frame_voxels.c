@@ -1,6 +1,6 @@
-/* Voxels of scenes, bit by bit, against triangles in double: middles within closed bodies by
- * counting what lies before them, surfaces by lines through middles; levels by those below; a room
- * that nothing gets out of; what is moved. */
+/* Voxels of scenes, bit by bit, against triangles in double: voxel centers inside closed meshes
+ * by counting the surfaces before them, surfaces by lines through centers; coarser levels by the
+ * finer ones; a watertight room; moved objects. */
 /* ctest: seconds=19 */
 #include "runtime/tessellate/scene_solid.h"
 #include "tests/test.h"

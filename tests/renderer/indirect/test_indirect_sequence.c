@@ -1,5 +1,5 @@
-/* Samples of indirect light's rays: published values; that sets of them are nets; that those of
- * tiles of pixels are. */
+/* Sample sequences of indirect rays: published values; sets of samples are nets; sets over tiles
+ * of pixels are nets. */
 #include "tests/test.h"
 #include "runtime/indirect/rays/indirect_sequence.h"
 #include <math.h>

@@ -1,9 +1,9 @@
-/* Light by way of surfaces, of one bounce and of four, against Cycles, which traces paths:
- * tests/reference/README.md. All of a frame's light, less that of lamps, where Cycles says that no
- * edge is.
+/* Indirect light of one bounce and of four, against path tracing by Cycles:
+ * tests/reference/README.md. Compares a frame's light minus that of lamps, at pixels that
+ * Cycles' mask marks as no edge.
  *
- *     test_reference_bounces N KEYS...      drawn N times as wide and high, and averaged: one
- *                                           bounce with each of these keys */
+ *   test_reference_bounces N KEYS...      drawn N times as wide and high, and averaged: one
+ *   bounce with each of these keys */
 /* ctest: unsanitized */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"

@@ -1,5 +1,5 @@
-/* Indirect light in tiles with as much around them as it looks at, against the same picture drawn
- * at once; what has to be drawn at once. */
+/* Indirect light in tiles with a guard band as wide as its filters, against the same picture
+ * drawn at once; methods that cannot be tiled. */
 /* ctest: seconds=10 */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"

@@ -1,7 +1,7 @@
-/* Rays through slice maps: voxelRay against the walk through single voxels, bit for bit, and both
- * against a walk in double. Grids at random and hostile ones; rays along axes, faces and edges,
- * from outside, of any length, with components that are 0 or no numbers. Prints the bricks that a
- * ray reads. */
+/* Rays through slice maps: voxelRay against a walk through single voxels, bit for bit, and both
+ * against a walk in double. Random and hostile grids; rays along axes, faces and edges, from
+ * outside, of any length, with components 0 or NaN. Prints the number of bricks that a ray
+ * reads. */
 /* ctest: seconds=12 */
 #include "tests/test.h"
 #include "gen/render_text.h"

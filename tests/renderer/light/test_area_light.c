@@ -1,6 +1,6 @@
-/* Light of a parallelogram on a point: the GLSL against Lambert's formula and Arvo's moments in
- * double, and those against sums over triangles of the light. Points near, far, behind, on the
- * light's plane and its edges. */
+/* Light of a parallelogram at a point: the GLSL against Lambert's formula and Arvo's moments in
+ * double, and these against quadrature over triangles of the light. Points near, far, behind, on
+ * the light's plane and on its edges. */
 #include "tests/test.h"
 #include "gen/render_text.h"
 #include "tests/area_reference.h"

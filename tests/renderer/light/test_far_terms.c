@@ -1,6 +1,6 @@
-/* The far-field expansion of distant lights, at groups of surfaces made to be nasty: the series of
- * their diffuse light and the expansion of their gloss, as the GLSL has them, against the light
- * itself in double. The error is within the bounds that far_terms.glsl and far_lobe.glsl state. */
+/* The far-field expansion of distant lights, at hostile groups of surfaces: the series of their
+ * diffuse light and the expansion of their specular light, as in the GLSL, against the exact
+ * light in double. The error is within the bounds that far_terms.glsl and far_lobe.glsl state. */
 /* ctest: alone */
 #include "tests/test.h"
 #include "gen/render_text.h"

@@ -1,4 +1,4 @@
-/* Area lights of any size, under OSMesa, against closed forms: a plane of light without end, and
+/* Area lights of any size, under OSMesa, against closed forms: an infinite plane of light, and
  * half of one. */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"

@@ -1,8 +1,8 @@
-/* Principled balls in the sun against Cycles' Principled: tests/reference/README.md. Facets are
- * GGX's in both, masked by height, and reflect light more than once; Fresnel's formula is Schlick's
- * here, and there a dielectric's of index 1.5, from the same colour to white: what was reflected
- * once is taken from the one to the other by the angle between light and the facet, which is half
- * of that between light and eye. */
+/* Principled balls in the sun against Cycles' Principled: tests/reference/README.md. Both use
+ * GGX with height-correlated masking and multiple scattering. The Fresnel terms differ:
+ * Schlick's here, a dielectric's of index 1.5 in Cycles, from the same color to white. The
+ * single-scattered light is converted from one to the other by the angle between light and
+ * microfacet normal, half of the angle between light and eye. */
 /* ctest: alone */
 #include "tests/frame/frame_compare.h"
 #include "tests/frame/frame_draw.h"

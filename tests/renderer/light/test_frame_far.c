@@ -1,6 +1,5 @@
-/* Far lights that are taken together, beside all that a renderer does otherwise: their memory,
- * drivers that have too little for them, changes, tiles, edges, layouts. That they are within their
- * bound at all is test_frame_lights.c's. */
+/* Grouped far lights combined with the renderer's other features: their memory, drivers with too
+ * little of it, changes, tiles, edges, layouts. test_frame_lights.c checks their error bound. */
 /* ctest: seconds=19 */
 #include "tests/test.h"
 #include "tests/frame/frame_change.h"

@@ -1,5 +1,5 @@
-/* Many lights: of every kind in any order, more than a block of numbers holds, against the
- * reference in double; and far ones that are taken together, against all of them. */
+/* Many lights: of every kind in any order, more than a uniform block holds, against the
+ * reference in double; and grouped far lights against the sum of all. */
 /* ctest: unsanitized */
 #include "tests/test.h"
 #include "runtime/frame_graph/frame.h"

@@ -1,8 +1,8 @@
-/* Shadows against rays of Embree, for each kind of light, from straight above to half a degree over
- * the ground. A picture with shadows over one without is the share of light that arrives. It is
- * that of the ray wherever no end of a shadow is near: where points of the surface's tangent plane,
- * a few texels away as the light sees them, all agree. So what is lit wrongly there is a leak, what
- * is dark is acne. */
+/* Shadows against Embree's rays, for each kind of light, from straight above to half a degree
+ * over the ground. The quotient of a picture with shadows and one without is the share of light
+ * that arrives. It must equal the ray's away from shadow boundaries: where points of the
+ * surface's tangent plane, a few texels away as seen by the light, all agree. A wrongly lit
+ * pixel there is a light leak, a wrongly dark one is shadow acne. */
 /* ctest: unsanitized */
 #include "tests/test.h"
 #include "tests/frame/shadow_band.h"

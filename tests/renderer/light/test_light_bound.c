@@ -1,6 +1,6 @@
-/* The omitted part of distant lights keeps the picture within half a step of 8 bits, or of halves:
- * the claims of light_bound.c, proved by intervals and by signs of polynomials where they are
- * numbers, tried where its comment proves them. */
+/* The omitted part of distant lights changes the picture by less than half a step of 8 bits, or
+ * of half floats: the claims of light_bound.c. Claims about numbers are proved by intervals and
+ * signs of polynomials; claims that its comment proves are sampled. */
 #include "tests/test.h"
 #include "runtime/light/light_far.h"
 #include "tests/frame/frame_lamps.h"

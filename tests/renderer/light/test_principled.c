@@ -1,6 +1,6 @@
-/* The lobe of Principled surfaces: the fits of its albedos against integrals in double, the GLSL's
- * lobe against microfacets as they are defined, a white furnace at every roughness, light that
- * changes places with the eye, and colours that no surface sends more of than arrives. */
+/* The lobe of Principled surfaces: fits of its albedos against integrals in double, the GLSL's
+ * lobe against microfacet theory, a white furnace at every roughness, reciprocity, and energy
+ * conservation for every color. */
 /* ctest: seconds=11 */
 #include "tests/test.h"
 #include "gen/render_text.h"

@@ -1,6 +1,5 @@
-/* Principled surfaces that reflect longer one way: the fits of their albedos and the lobe against
- * integrals and definitions in double, a white furnace, light that changes places with the eye, and
- * directions that come back from the G-buffer's number. */
+/* Anisotropic Principled surfaces: fits of their albedos and the lobe against integrals and
+ * definitions in double, a white furnace, reciprocity, and directions decoded from the G-buffer. */
 #include "tests/test.h"
 #include "compiler/library/chunk.h"
 #include "runtime/surface/surface_model.h"

@@ -1,6 +1,5 @@
-/* A coat with a normal of its own: what the slot says, by OpenPBR's words; the coat's lobe about it
- * against GGX in double; light that changes places with the eye; a surface that sends no more than
- * arrives. */
+/* A coat with its own normal: the slot's value by OpenPBR's definition; the coat's lobe around
+ * the normal against GGX in double; reciprocity; energy conservation. */
 #include "tests/slot_values.h"
 #include "runtime/surface/surface_model.h"
 #include "tests/frame/frame_draw.h"

@@ -1,5 +1,5 @@
-/* A Principled's rough diffuse base: the lobe and what it loses against sums in double, white
- * furnaces below facets, a coat and fuzz, light that changes places with the eye. */
+/* A Principled's rough diffuse base: the lobe and its energy loss against sums in double, white
+ * furnaces below microfacets, a coat and fuzz, reciprocity. */
 /* ctest: seconds=12 */
 #include "tests/test.h"
 #include "runtime/surface/surface_model.h"

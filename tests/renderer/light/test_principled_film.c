@@ -1,5 +1,5 @@
-/* A thin film on a Principled surface: what it reflects against sums over wavelengths in double, a
- * white furnace, light that changes places with the eye. */
+/* A thin film on a Principled surface: its reflection against sums over wavelengths in double, a
+ * white furnace, reciprocity. */
 #include "tests/test.h"
 #include "runtime/surface/surface_model.h"
 #include "tests/fits/observer.h"

@@ -1,6 +1,5 @@
-/* The lobes over a Principled's base, coat and fuzz: fits against integrals in double, the sum of
- * all against the lobes as they are defined, white furnaces, light that changes places with the
- * eye. */
+/* The lobes above a Principled's base, coat and fuzz: fits against integrals in double, the sum
+ * of all lobes against their definitions, white furnaces, reciprocity. */
 #include "tests/test.h"
 #include "runtime/surface/surface_model.h"
 #include "tests/frame/frame_draw.h"

@@ -1,7 +1,6 @@
-/* Light that goes through a Principled surface: as a dielectric lets it, and scattered within thin
- * walls. What is reflected and what goes through are all of white together, light from behind is as
- * integrals in double have it, and changes places with the eye; each surface alone has its
- * program. */
+/* Light transmitted by a Principled surface: as by a dielectric, and diffusely by thin walls.
+ * Reflection and transmission of a white surface add up to 1; light from behind equals integrals
+ * in double, and is reciprocal; each kind of surface has its own program. */
 #include "tests/test.h"
 #include "runtime/surface/surface_model.h"
 #include "tests/frame/frame_draw.h"

@@ -1,7 +1,8 @@
-/* Principled surfaces in the light of a picture: integrals in double that draw directions where it
- * is bright and where facets look (frame/sky_reference.h), against themselves by other sums, and
- * what is drawn against them; of brushed ones sums over even directions; white under white. The
- * picture is a studio by formulas: two windows, 60 and 12 times as bright as its walls. */
+/* Principled surfaces lit by an environment map: integrals in double that sample the map's
+ * radiance and GGX's visible normals (frame_reference/sky_reference.h), checked against other
+ * sums, are the reference of the drawn picture; sums over evenly spread directions that of
+ * anisotropic surfaces; white under white. The map is a studio by formulas: two windows, 60 and
+ * 12 times as bright as its walls. */
 /* ctest: seconds=36 */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"

@@ -1,6 +1,6 @@
-/* The sky as a light: irradiance and lobes on a sphere against integrals in double of what the
- * oracle says the sky is; closed forms under skies of one colour; the sun that goes with it, in
- * scenes and in the reflection. */
+/* The sky as a light: irradiance and lobes on a sphere against integrals in double of the
+ * oracle's sky; closed forms under skies of one color; the sky's sun, in scenes and in the
+ * reflection. */
 /* ctest: seconds=20 */
 #include "tests/test.h"
 #include "compiler/evaluate.h"

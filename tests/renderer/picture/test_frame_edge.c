@@ -1,5 +1,5 @@
-/* Edges blended by coverage, against 8 x 8 rays of Embree through each pixel, flat colours of
- * objects mapped one by one; lines of the picture by closed forms; what hides them; tiles. */
+/* Edges blended by coverage, against 8 x 8 of Embree's rays through each pixel, with the
+ * objects' flat colors; lines of the picture by closed forms; hidden edges; tiles. */
 /* ctest: seconds=10 */
 #include "tests/test.h"
 #include "runtime/gpu_scene/edge_list.h"

@@ -1,6 +1,6 @@
 /* Thresholds of the edge pass: for each threshold a scene whose picture changes with the next
- * plausible value. Sums over rows of pixels are compared with the length that an edge cuts off the
- * row. */
+ * plausible value. Sums over rows of pixels are compared with the length of the row that an edge
+ * covers. */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include <math.h>

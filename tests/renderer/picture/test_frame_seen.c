@@ -1,7 +1,6 @@
-/* Inputs that a draw call gives formulas, by closed forms: the direction to the viewer, for rays
- * from an eye and parallel ones, on meshes and on planes; time, also when it changes; the number of
- * an object, drawn by instances and one by one; attributes of the mesh's vertices, and their
- * slopes. */
+/* Per-draw inputs of formulas, by closed forms: the direction to the viewer, for perspective and
+ * parallel rays, on meshes and on planes; time, also when it changes; the object's number, drawn
+ * by instances and individually; attributes of the mesh's vertices, and their derivatives. */
 #include "runtime/tessellate/scene_scatter.h"
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"

@@ -1,5 +1,5 @@
-/* Planes whose transparency varies, as what casts shadows: what a second frame calls, what changes,
- * what is there and what is refused. That light is right, test_frame_cast.c says. */
+/* Planes with varying transparency as shadow casters: the calls of a second frame, changes,
+ * allocated targets and refused scenes. test_frame_cast.c checks the light. */
 /* ctest: seconds=10 */
 #include "tests/test.h"
 #include "tests/frame/frame_calls.h"

@@ -1,6 +1,6 @@
-/* Tools: which pixels a line covers, by its closed form; that surfaces before it hide it, that it
- * is whole on the plane it lies in, and which colour it has behind glass, before tone mapping and
- * after; that nothing runs where there are none. */
+/* Tools: the pixels that a line covers, by its closed form; surfaces before it hide it, and a
+ * line in a plane is whole; its color behind glass, before tone mapping and after; no pass runs
+ * in a scene without tools. */
 /* ctest: seconds=14 */
 #include "tests/test.h"
 #include "runtime/post/tool_lines.h"

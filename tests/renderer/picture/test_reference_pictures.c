@@ -1,6 +1,7 @@
-/* Frames against pictures that Cycles and POV-Ray made of the same documents:
- * tests/reference/README.md. The light of each pixel, but along edges and where nothing is, which a
- * picture's alpha says. Then frames with faults that somebody might make: none of them may pass. */
+/* Frames against pictures of the same documents by Cycles and POV-Ray:
+ * tests/reference/README.md. Compares the light of each pixel, except along edges and in the
+ * background, by the mask in the picture's alpha. Then frames with inserted faults, each of
+ * which must fail. */
 /* ctest: unsanitized seconds=19 */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"

@@ -1,6 +1,6 @@
-/* Pictures in tiles against the same picture drawn whole: their rays bit for bit, rasterised
- * surfaces to the last bits; what memory a tile may take. `build/tests/test_tiles FILE... [egl]`
- * prints by how much tiles of these scenes are off. */
+/* Pictures in tiles against the same picture drawn whole: their rays bit for bit, rasterized
+ * surfaces to the last bits; the memory that a tile may take. `build/tests/test_tiles FILE...
+ * [egl]` prints the differences of these scenes. */
 /* ctest: seconds=16 */
 #include "tests/test.h"
 #include "tests/frame/frame_calls.h"

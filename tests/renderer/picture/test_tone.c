@@ -1,6 +1,6 @@
-/* Tone mapping: what is shown against the formulas of scene.def in double, on the light that is
- * read back; what is measured of a picture, by both entries; black pictures, light that is no
- * number, infinite or all in one pixel. */
+/* Tone mapping: final pixels against the formulas of scene.def in double, applied to the light
+ * that is read back; the picture's statistics, by the fragment and the compute entry; black
+ * pictures, light that is NaN, infinite or all in one pixel. */
 /* ctest: seconds=11 */
 #include "tests/test.h"
 #include "gen/render_text.h"

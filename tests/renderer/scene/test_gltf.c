@@ -1,4 +1,4 @@
-/* glTF files with materials: as documents, what is not read and where that stands; their meshes in
+/* glTF files with materials: their documents, unsupported content and its place; their meshes in
  * parts; objects of a scene. */
 #include "grammar/lobe_table.h"
 #include "tests/gltf_folder.h"

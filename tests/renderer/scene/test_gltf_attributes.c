@@ -1,6 +1,6 @@
-/* Attributes of a glTF's meshes that have names of the author's: each vertex has what the file says
- * of its place, whatever assimp joins, copies or leaves out; all component types by hand; files
- * that are wrong, or hostile. */
+/* Author-named attributes of glTF meshes: each vertex has the file's value for its position,
+ * whatever assimp joins, copies or leaves out; all component types by hand; invalid or hostile
+ * files. */
 #include "tests/gltf_folder.h"
 #include "runtime/mesh_import/model.h"
 

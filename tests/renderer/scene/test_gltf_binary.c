@@ -1,5 +1,5 @@
-/* glTF files that hold their pictures and triangles: .glb, data: addresses, buffers; lengths that
- * lie; meshes of them in parts. */
+/* glTF files with embedded pictures and triangles: .glb, data: URIs, buffers; wrong lengths;
+ * their meshes in parts. */
 #include "tests/gltf_folder.h"
 #include "runtime/mesh_import/model.h"
 #include "runtime/mesh_import/model_number.h"

@@ -1,5 +1,5 @@
-/* Meshes out of files: a square whose tangents are known, in every format; what is missing; files
- * that are damaged or hostile. */
+/* Meshes from files: a square with known tangents, in every format; missing attributes; damaged
+ * or hostile files. */
 #include "tests/test.h"
 #include "runtime/mesh_import/model.h"
 #include <math.h>

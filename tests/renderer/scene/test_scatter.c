@@ -1,5 +1,5 @@
-/* Copies at random: the generator against published numbers, places by hand, that all of a range is
- * taken, what is refused. */
+/* Random copies: the generator against published numbers, places by hand, coverage of each
+ * range, refused values. */
 #include "tests/test.h"
 #include "runtime/tessellate/scene_scatter.h"
 #include "tests/frame/frame_draw.h"

@@ -1,5 +1,5 @@
-/* Copies on surfaces that are displaced: where the height's closed form has them, along its normal,
- * in groups that are turned and scaled, and on surfaces that copies bring with them. */
+/* Copies on displaced surfaces: at the height of the closed form, along its normal, in rotated
+ * and scaled groups, and on surfaces that are part of copies. */
 #include <stdio.h>
 #include <stdlib.h>
 #include "tests/scene_text.h"

@@ -1,5 +1,5 @@
-/* Copies on surfaces: evenly by area, by Pearson's chi-squared over cells that are equal in closed
- * form; along the normal or upright; as many as a density says; what is refused. */
+/* Copies on surfaces: uniform by area, by Pearson's chi-squared test over cells of equal area in
+ * closed form; along the normal or upright; as many as the density gives; refused values. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <unistd.h>

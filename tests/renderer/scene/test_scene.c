@@ -1,5 +1,5 @@
-/* Scenes as they are read: matrices, cameras and lights by closed forms; solids by their volume,
- * and by what a step of u or v does to them. */
+/* Parsed scenes: matrices, cameras and lights by closed forms; solids by their volume, and by
+ * the effect of a step of u or v. */
 #include "runtime/tessellate/scene_solid.h"
 #include "tests/test.h"
 #include <math.h>

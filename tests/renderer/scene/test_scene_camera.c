@@ -1,8 +1,8 @@
 /* Camera, motion and origin of scenes against numbers written down by hand from
- * docs/reference/language.md and scene.def: each kind, with each key at its default and away from
- * it.
+ * docs/reference/language.md and scene.def: each kind, with each key at its default and away
+ * from it.
  *
- *     camera: { camera: Perspective, angle: 90 }   half is tan 45 degrees: 1 */
+ *   camera: { camera: Perspective, angle: 90 }   half is tan 45 degrees: 1 */
 #include "tests/scene_values.h"
 
 /* -- Camera and motion ------------------------------------------------------------------------- */

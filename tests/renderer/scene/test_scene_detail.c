@@ -1,6 +1,6 @@
-/* Detail by the size in the picture: outlines of bodies with fewer sides, by projections written
- * down here; meshes that displaced copies share, against the same points moved one by one; which
- * scenes have it; the warning of a scene of too many triangles. */
+/* Level of detail by size in the picture: outlines of solids with fewer sides, by projections
+ * written down here; meshes that displaced copies share, against the same points displaced
+ * individually; which scenes use detail; the warning about a scene of too many triangles. */
 #include "runtime/tessellate/scene_displace.h"
 #include "runtime/tessellate/scene_solid.h"
 #include "tests/scene_text.h"

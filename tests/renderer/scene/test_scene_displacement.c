@@ -1,6 +1,6 @@
-/* Displaced meshes without a picture: where vertices go, by closed forms; that what is closed stays
- * closed, bit for bit; that none goes beyond what matc says of its material; which objects share a
- * mesh, and what is refused. */
+/* Displaced meshes without a picture: vertex positions, by closed forms; closed meshes stay
+ * closed, bit for bit; no vertex exceeds matc's bound for its material; which objects share a
+ * mesh, and refused scenes. */
 #include "tests/test.h"
 #include "tests/scene_whole.h"
 #include "runtime/scene/scene.h"

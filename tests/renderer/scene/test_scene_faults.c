@@ -1,5 +1,5 @@
-/* Faults of scenes, with their places and words; several faults in one run; aliases that would
- * unfold to 4^30 objects. */
+/* Errors of scenes, with their places and texts; several errors in one run; aliases that would
+ * expand to 4^30 objects. */
 #include "tests/test.h"
 #include <stdio.h>
 #include "tests/scene_text.h"

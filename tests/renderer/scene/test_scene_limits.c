@@ -1,5 +1,5 @@
-/* Limits of scenes: the last value that passes and the first that is refused. scene.h, scene_area.h
- * and scene_origin.c name the limits, docs/reference/stability.md lists those that an author may
+/* Limits of scenes: the last accepted value and the first refused one. scene.h, scene_area.h and
+ * scene_origin.c define the limits; docs/reference/stability.md lists those that an author may
  * meet. */
 #include "runtime/scene_reader/scene_read.h"
 #include "tests/test.h"

@@ -1,6 +1,6 @@
-/* Ranges of vectors: every vector that scene.def has is bounded, is accepted at either border in
- * each component, and is a fault with its place one step beyond. Transforms have no row of their
- * own and end where a float does. */
+/* Ranges of vectors: every vector of scene.def has a range, is accepted at both bounds in each
+ * component, and is an error with its place one step outside. Transforms have no row of their
+ * own; their range is that of a float. */
 #include "tests/scene_text.h"
 #include <float.h>
 #include <stdlib.h>

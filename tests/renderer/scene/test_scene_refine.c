@@ -1,6 +1,7 @@
-/* Bisection: whatever is divided, in whatever order, no edge has a point of another triangle
- * within, seen by the half-edges alone; and by error: what is flat stays as it is, what is found is
- * finer, and the error is that of many times as many triangles of an even division. */
+/* Bisection: after any order of splits no edge has another triangle's vertex in its interior,
+ * checked by the half-edges alone. Bisection by error: flat parts are not split, features that
+ * are found are finer, and the error equals that of a uniform subdivision with many times as
+ * many triangles. */
 #include "tests/test.h"
 #include "runtime/tessellate/scene_bisection.h"
 #include "runtime/tessellate/scene_divide.h"

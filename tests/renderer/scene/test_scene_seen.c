@@ -1,6 +1,6 @@
-/* Bisection by what is seen: pixels of a length by closed forms; and of a terrain, how far its
- * triangles are from where the material has them, as the camera sees it, projected here by the
- * camera's own numbers. */
+/* View-dependent bisection: a length in pixels by closed forms; and for a terrain, the distance
+ * of its triangles from the material's surface in the picture, projected here by the camera's
+ * own numbers. */
 #include "runtime/tessellate/scene_displace.h"
 #include "tests/test.h"
 #include "tests/scene_whole.h"

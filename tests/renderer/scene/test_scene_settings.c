@@ -1,9 +1,9 @@
 /* Settings of scenes against numbers written down by hand from docs/reference/language.md and
  * scene.def: picture, tone mapping, shadow maps, displacement, voxels, tools and indirect light.
- * Each key is at its default once and away from it once; a part that a text does not name keeps its
- * defaults.
+ * Each key is at its default once and away from it once; a part that a text does not name keeps
+ * its defaults.
  *
- *     toneMapping: { toneMapping: Filmic, exposure: -2 }   a factor of 1/4, all else by default */
+ *   toneMapping: { toneMapping: Filmic, exposure: -2 }   a factor of 1/4, all else by default */
 #include "tests/scene_values.h"
 
 typedef struct {

@@ -1,10 +1,10 @@
 /* Lights, suns and objects of scenes against numbers written down by hand from
- * docs/reference/language.md, scene.def and semantics.md: each kind, with each key at its default
- * and away from it. The renderer's reference reads what the scene reader parsed, so no picture
- * shows a factor that is missing there.
+ * docs/reference/language.md, scene.def and semantics.md: each kind, with each key at its
+ * default and away from it. The renderer's reference uses the parsed scene, so no picture would
+ * show a factor that the reader omits.
  *
- *     light: Hemisphere, ground: [.5, .25, .125], intensity: 4   ground is (2, 1, .5)
- *     light: Spot, innerAngle: 60, outerAngle: 90   the cosines are 1/2 and 0 */
+ *   light: Hemisphere, ground: [.5, .25, .125], intensity: 4   ground is (2, 1, .5)
+ *   light: Spot, innerAngle: 60, outerAngle: 90   the cosines are 1/2 and 0 */
 #include "tests/scene_values.h"
 
 #define QUARTER   "1.5707963267948966" /* radians */

@@ -1,5 +1,5 @@
-/* Volumes instead of surfaces, as triangles: closed, with the volume, the holes and the normals of
- * closed forms; on bases that are flat, curved, open, or of several sides. */
+/* Volumetric displacement as triangles: closed, with the volume, holes and normals of closed
+ * forms; on flat, curved, open and multi-sided bases. */
 #include "runtime/tessellate/scene_displace.h"
 #include "runtime/scene/scene_places.h"
 #include "tests/test.h"

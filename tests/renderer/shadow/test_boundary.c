@@ -1,5 +1,5 @@
-/* The measure of matbench shadows: ends of discs by their closed forms, seen straight and aslant;
- * what is not measured. */
+/* The error measure of matbench shadows: boundaries of discs by closed forms, seen
+ * perpendicularly and obliquely; pixels that are not measured. */
 #include "tests/test.h"
 #include "tests/frame_reference/boundary.h"
 #include <math.h>

@@ -1,6 +1,6 @@
-/* Lists of exact shadows, as the driver's programs make them: whatever stands between a point and a
- * light, in double, is in the list of the point's cell; each cell has all triangles that cover any
- * of it, by a clipper that goes through cell by cell, and few others. */
+/* Triangle lists of exact shadows, as made on the GPU: every triangle between a point and a
+ * light, in double, is in the list of the point's cell; each cell has all triangles that cover
+ * any of it, by a clipper that visits cell by cell, and few others. */
 /* ctest: seconds=11 */
 #include "tests/test.h"
 #include "runtime/exact/exact_cover.h"

@@ -1,6 +1,6 @@
-/* Cascades of a directional light: their texels stand still while the camera moves and turns, and
- * so do ends of shadows in pictures. That light is right in each of them, test_frame_cast.c
- * says. */
+/* Cascades of a directional light: their texels stay fixed in the world while the camera moves
+ * and turns, and so do shadow boundaries in pictures. test_frame_cast.c checks the light in each
+ * cascade. */
 #include "runtime/tessellate/scene_solid.h"
 #include "tests/test.h"
 #include "runtime/renderer/passes.h"

@@ -1,7 +1,7 @@
-/* Shadows of what lets light through, against rays of Embree that go on through it with the
- * oracle's transparency in double. A pixel is compared wherever no end of a shadow is near: where
- * points of the tangent planes of all its layers, a few texels away as each light sees them, have
- * the same light. There a shadow map knows all that a ray does. */
+/* Shadows of transparent casters, against Embree's rays that continue through them with the
+ * oracle's transparency in double. A pixel is compared unless a shadow boundary is near: points
+ * of the tangent planes of all its layers, a few texels away as each light sees them, must have
+ * the same light. There a shadow map has the ray's information. */
 /* ctest: unsanitized unoptimized seconds=50 */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"

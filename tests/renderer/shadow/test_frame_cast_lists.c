@@ -1,5 +1,5 @@
-/* Coloured shadows by their closed form, and what is there for them: lists where something
- * transparent casts shadows, and nowhere else. */
+/* Colored shadows by their closed form, and their resources: fragment lists exist only in lights
+ * with transparent casters. */
 /* ctest: seconds=50 */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"

@@ -1,6 +1,6 @@
-/* Exact shadows: no pixel is wrong by Embree's rays, and by all triangles in double where those are
- * asked again. `build/tests/test_frame_exact 10000000` draws as many pixels at least, and `...
- * 10000000 egl` on a GPU. */
+/* Exact shadows: no pixel is wrong by Embree's rays, or, for pixels that disagree, by all
+ * triangles in double. `build/tests/test_frame_exact 10000000` draws at least as many pixels,
+ * and `... 10000000 egl` on a GPU. */
 /* ctest: seconds=31 */
 #include "tests/test.h"
 #include "tests/frame/frame_change.h"

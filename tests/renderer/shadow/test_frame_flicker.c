@@ -1,5 +1,5 @@
-/* Steps of a moving light: no pixel flickers by exact shadows that does not by rays; by maps some
- * do. The measure of flicker by hand. */
+/* Steps of a moving light: with exact shadows no pixel flickers that does not flicker by rays;
+ * with shadow maps some do. The flicker measure is checked by hand. */
 #include "tests/test.h"
 #include "tests/frame/flicker.h"
 #include "tests/frame/frame_draw.h"

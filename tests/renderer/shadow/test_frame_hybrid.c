@@ -1,6 +1,6 @@
-/* Hybrid shadows against rays of Embree for each kind of light and volume, outside of a stated band
- * around the ends of shadows; a shadow's end by its closed form; paths of data against each other,
- * bit for bit; turned diagonals against distances from planes. */
+/* Hybrid shadows against Embree's rays for each kind of light and volume, outside of a stated
+ * band around shadow boundaries; a boundary by its closed form; data paths against each other,
+ * bit for bit; flipped diagonals against distances from planes. */
 /* ctest: unsanitized */
 #include "tests/test.h"
 #include "gen/render_text.h"

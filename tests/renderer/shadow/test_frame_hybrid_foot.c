@@ -1,6 +1,6 @@
-/* Where hybrid shadows begin: at a caster's back faces, so that light comes through at the foot of
- * a step, up to the first texel's centre beyond it. By its closed form, for bodies that lie
- * elsewhere in the map's grid of texels. */
+/* Start of hybrid shadow volumes at a caster's back faces: light leaks at the foot of a step, up
+ * to the first texel center next to it. Compared with the closed form, for objects at several
+ * positions relative to the map's texels. */
 #include "tests/test.h"
 #include "runtime/shadow/shadow_state.h"
 #include "runtime/frame_graph/frame.h"

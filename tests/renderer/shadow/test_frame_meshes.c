@@ -1,5 +1,5 @@
-/* Shadows of meshes that others made (tests/meshes), against rays of Embree: how far their ends are
- * off, on four receivers. */
+/* Shadows of third-party meshes (tests/meshes), against Embree's rays: the error of their
+ * boundaries, on four receivers. */
 /* ctest: unsanitized seconds=29 */
 #include "tests/test.h"
 #include "tests/frame_reference/shadow_ends.h"

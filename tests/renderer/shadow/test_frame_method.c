@@ -1,5 +1,5 @@
-/* A shadow technique that stands in this file alone: its row and GLSL take part in all that shared
- * code does. Expected values are shares of the light without shadows. */
+/* A shadow technique that is defined in this file alone: its row and GLSL take part in all
+ * shared code. Expected values are shares of the light without shadows. */
 #include "tests/test.h"
 #include "runtime/renderer/passes.h"
 #include "runtime/shadow/shadow_method.h"

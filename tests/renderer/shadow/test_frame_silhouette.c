@@ -1,6 +1,6 @@
-/* Silhouette shadows against rays of Embree: mean distances of their ends from the true ones, on
- * four receivers; pixels that are wrong away from ends, for each kind of light, from half a degree
- * over the ground to straight above. */
+/* Silhouette shadows against Embree's rays: mean distances of their boundaries from the true
+ * ones, on four receivers; wrong pixels away from boundaries, for each kind of light, from half
+ * a degree over the ground to straight above. */
 /* ctest: unsanitized seconds=17 */
 #include "tests/test.h"
 #include "tests/frame/shadow_band.h"

@@ -1,6 +1,6 @@
-/* Silhouette shadows: ends of shadows by closed forms, where several edges cross one segment
- * between texels, where an edge is hidden below the ground, where an edge runs along the centres of
- * texels, and where normals are not the surface's. */
+/* Silhouette shadow boundaries by closed forms: several edges that cross one segment between
+ * texels, an edge hidden below the ground, an edge along texel centers, and normals that differ
+ * from the surface's. */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame_reference/shadow_ray.h"

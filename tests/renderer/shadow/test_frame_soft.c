@@ -1,7 +1,6 @@
-/* Soft shadows of area lights, against Embree's rays to all of a light. What is off is counted in
- * shares of the light that would arrive without shadows, which is the reference's, in double.
- * `build/tests/test_frame_soft SEED SIZE` takes other rays and other pixels, and maps of that size,
- * for which there are no bounds but for 512. */
+/* Soft shadows of area lights, against Embree's rays to all of a light. The error is a share of
+ * the unshadowed light, which is the reference's, in double. `build/tests/test_frame_soft SEED
+ * SIZE` takes other rays and other pixels, and maps of that size; only size 512 has bounds. */
 /* ctest: unsanitized seconds=28 */
 #include "tests/test.h"
 #include "tests/frame/frame_change.h"

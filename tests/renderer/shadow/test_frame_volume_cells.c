@@ -1,6 +1,6 @@
-/* Shadow volumes that silhouettes cut: the triangles of a cell close it, however it is crossed;
- * ends of shadows beside those of plain volumes; what is transparent, what changes, and what is
- * refused. test_frame_hybrid.c has them by rays, and an end by its closed form. */
+/* Shadow volumes cut by silhouettes: the triangles of a cell close it, for every crossing;
+ * shadow boundaries compared with plain volumes; transparent casters, changes, and refused
+ * scenes. test_frame_hybrid.c compares them with rays, and a boundary with its closed form. */
 /* ctest: unsanitized seconds=14 */
 #include "tests/test.h"
 #include "gen/render_text.h"

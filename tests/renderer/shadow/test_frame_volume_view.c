@@ -1,5 +1,5 @@
-/* Views of shadow volumes and of objects as lines: what they cover and how light they are by closed
- * forms; what they leave as it is; changes, tiles, and what is refused. */
+/* Views of shadow volumes and wireframes: their coverage and brightness by closed forms; pixels
+ * that must stay unchanged; changes, tiles, and refused settings. */
 #include "tests/test.h"
 #include "runtime/renderer/renderer.h"
 #include "tests/frame/frame_draw.h"

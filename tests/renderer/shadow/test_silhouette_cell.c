@@ -1,5 +1,5 @@
-/* Silhouette shadows: which part of a cell between four texels' centres is covered, against
- * polygons in double. */
+/* Silhouette shadows: the covered part of a cell between four texel centers, against polygons in
+ * double. */
 #include "tests/test.h"
 #include "gen/render_text.h"
 #include "runtime/gpu_material/screen_pass.h"

@@ -1,6 +1,6 @@
-/* Glass that stands on something opaque: its face there lies in the same plane, and no pixel takes
- * it for nearer. Each picture is compared with that of a block that reaches a little below, whose
- * face is hidden for certain. */
+/* Glass on an opaque surface: the touching faces are coplanar, and no pixel shows the glass as
+ * nearer. Each picture is compared with that of a block that extends slightly below, whose face
+ * is certainly hidden. */
 /* ctest: unsanitized */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"

@@ -1,5 +1,5 @@
-/* Edges and glass: lines of what is behind it, its own outlines, before something near and before
- * nothing. Against 8 x 8 samples of each pixel. */
+/* Edges and glass: edges behind glass, the glass' own outlines, in front of near objects and of
+ * the background. Against 8 x 8 samples per pixel. */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include <math.h>

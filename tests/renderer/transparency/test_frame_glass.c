@@ -1,5 +1,5 @@
-/* Transparent surfaces: layers against their closed form, scenes against the reference, lists
- * against peeling; what there is no room for. */
+/* Transparent surfaces: layers against their closed form, scenes against the reference,
+ * per-pixel lists against depth peeling; lists whose memory is too small. */
 /* ctest: unsanitized unoptimized seconds=35 */
 #include "tests/test.h"
 #include "tests/frame/frame_compare.h"

@@ -1,5 +1,5 @@
-/* Transparent objects are drawn from the farthest on where their fragments go to lists, for any
- * camera; the picture does not depend on it. */
+/* Transparent objects whose fragments go to lists are drawn far to near, for any camera; the
+ * picture does not depend on the order. */
 #include "tests/test.h"
 #include "runtime/frame_graph/frame.h"
 #include "tests/frame/frame_draw.h"
