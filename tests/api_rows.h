@@ -11,12 +11,12 @@
 
 typedef struct {
     const char *name;
-    void (*ask)(void); /* calls the function with every kind of wrong argument */
+    void (*ask)(void); /* Calls the function with every kind of wrong argument. */
 } ApiRow;
 
 enum { API_NAME = 64 };
 
-/* A file's text, from malloc. */
+/* Reads a whole file; from malloc. */
 static char *api_text(const char *path)
 {
     enum { MOST = 1 << 18 };

@@ -22,7 +22,7 @@ static inline void write_file(const char *name, const void *bytes, size_t size)
     assert_int_equal(fclose(file), 0);
 }
 
-/* Three triangles of one material after another: the second, the first, none. */
+/* Three triangles of different materials: the second, the first, none. */
 static const struct {
     float positions[9][3];
 } corners = {{{0, 0, 0},

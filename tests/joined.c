@@ -9,7 +9,7 @@
 #include JOINED_TESTS
 #undef TEST
 
-/* Only one of the two is set. */
+/* Exactly one of the two is set. */
 typedef struct Test {
     const char *name;
     int (*plain)(void);

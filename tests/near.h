@@ -20,7 +20,7 @@ static inline void inside(double value, double low, double high)
         fail_msg("%.17g is not in [%g, %g]", value, low, high);
 }
 
-/* Uniform in [-1, 1), the same on every machine. */
+/* Uniform in [-1, 1), equal on every machine. */
 static inline double sample(void)
 {
     static uint64_t state = 1;

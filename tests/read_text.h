@@ -7,10 +7,10 @@ typedef struct {
     Arena arena;
     MatcOptions options;
     Session session;
-    Tree *tree; /* NULL: refused */
+    Tree *tree; /* NULL: the text was refused */
 } ReadText;
 
-/* The text has a zero behind it, as every source has. */
+/* Reads a text, which must be followed by a zero byte like every source. */
 static inline void read_text(ReadText *r, const char *name, const char *text, size_t size)
 {
     *r = (ReadText){0};

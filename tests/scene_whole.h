@@ -12,7 +12,7 @@ static inline MatcOptions options(void)
     return made;
 }
 
-/* A scene that has to be one. */
+/* Reads a text that must be a scene. */
 static inline Scene *read_scene(const char *text, MatcDocument **document)
 {
     const MatcOptions by = options();

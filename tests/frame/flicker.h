@@ -10,21 +10,21 @@
 
 typedef struct {
     int pixels;
-    signed char *lit; /* -1: it was not seen yet */
+    signed char *lit; /* -1: no state yet */
     int *turns;
 } Flicker;
 
-/* False: memory ran out; *made is empty then. */
+/* Returns false if memory ran out; *made is empty then. */
 bool flicker_open(int pixels, Flicker *made);
-/* A step: of each pixel, the share of the light that arrives, of which half is lit; below 0:
- * nothing could arrive there. */
+/* Adds a step: for each pixel the share of the light that arrives, lit if at least half; below
+ * 0: no light could arrive. */
 void flicker_add(Flicker *flicker, const float *shares);
-/* Adds pictures of four floats a pixel: the first with shadows over the first without. */
+/* Adds a step from two pictures of four floats per pixel: the shares are `with` over `without`. */
 void flicker_add_pictures(Flicker *flicker, const float *with, const float *without);
-/* How often its pixels flickered. */
+/* Number of flickers of all pixels, compared with the truth. */
 long flicker_count(const Flicker *flicker, const Flicker *truth);
-/* Turns of all pixels. */
+/* Total number of turns of all pixels. */
 long flicker_turns(const Flicker *flicker);
-/* Safe on an empty one. */
+/* Safe on an empty Flicker. */
 void flicker_close(Flicker *flicker);
 #endif

@@ -6,9 +6,9 @@
 #include <stdbool.h>
 
 typedef struct {
-    double rotation[3]; /* of the group: radians about x, y, z, before the translation */
+    double rotation[3]; /* rotation of the group: radians about x, y, z, before the translation */
     double translation[3];
-    bool apart; /* each object by its own translation instead, which is all that is done to it */
+    bool apart; /* only add to each object's own translation, without a group */
 } FrameMove;
 
 /* From malloc. */

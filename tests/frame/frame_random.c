@@ -5,7 +5,7 @@
 
 static uint64_t state;
 
-/* In [0, 1). */
+/* Random number in [0, 1). */
 static double part(void)
 {
     state = state * 6364136223846793005u + 1442695040888963407u;

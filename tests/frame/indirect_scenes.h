@@ -5,9 +5,9 @@
 
 enum { INDIRECT_SCENES_TEXT = 2048 };
 
-/* The Cornell box: walls as thick as a voxel of 64, and two boxes. Its lamp has no shadows, neither
- * here nor in what it is compared with. */
+/* The Cornell box: walls one voxel thick at 64 voxels, and two boxes. Its lamp casts no shadows,
+ * neither here nor in the reference. */
 extern const char indirect_scenes_box[];
-/* A mesh of a file, y up, so far above a slab: `lift` is 0.9913 for the bunny of glmark2-data. */
+/* A mesh file, y up, `lift` above a slab: 0.9913 for the bunny of glmark2-data. */
 void indirect_scenes_bunny(const char *mesh, const char *lift, char text[INDIRECT_SCENES_TEXT]);
 #endif

@@ -4,11 +4,11 @@
 #include "runtime/scene/scene_patches.h"
 
 typedef struct {
-    const Scene *scene; /* of a square picture, whose first object is a mesh of patches */
+    const Scene *scene; /* with a square picture and a mesh of patches as its first object */
     const MatcOptions *options;
-    bool closed; /* nobody sees the mesh from behind */
+    bool closed; /* backs of the mesh are never visible */
 } BisectionReference;
 
-/* Leaves as base << 32 | number, in no order; from malloc. What fails ends the test. */
+/* Leaves as base << 32 | number, unsorted; from malloc. A failure ends the test. */
 uint64_t *bisection_reference(const BisectionReference *of, int *count);
 #endif

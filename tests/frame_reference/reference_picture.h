@@ -5,13 +5,13 @@
 #include "compiler/matc.h"
 
 typedef struct {
-    MatcDocument *document; /* whose picture it is */
+    MatcDocument *document; /* owns the picture */
     int width, height;
     const float *rgba;
 } ReferencePicture;
 
-/* Reads a picture of a folder and a name there: cycles/matt. False: it cannot be read, and the
- * document's diagnostics say why. */
+/* Reads a picture by folder and name: cycles/matt. Returns false on failure, with messages in
+ * the document's diagnostics. */
 bool reference_picture_read(const char *name, ReferencePicture *picture);
 void reference_picture_free(ReferencePicture *picture);
 #endif

@@ -7,7 +7,8 @@
 
 typedef void (*SkyReferenceLight)(const void *sky, const double way[3], double rgb[3]);
 
-/* Cells of one solid angle, by height and turn, and the share of all light in those before each. */
+/* Cells of equal solid angle, by height and azimuth, and the cumulative light of the cells
+ * before each. */
 enum {
     SKY_REFERENCE_HEIGHTS = 96,
     SKY_REFERENCE_TURNS = 192,
@@ -19,7 +20,7 @@ typedef struct {
     double before[SKY_REFERENCE_CELLS + 1];
 } SkyReference;
 
-/* `albedos` by the cosine, in 64 steps, and `mean` are sky_reference_surface()'s. */
+/* `albedos` by the cosine in 64 steps, and `mean`, are set by sky_reference_surface(). */
 typedef struct {
     double base[3], metalness, roughness, reflectance;
     double albedos[65][2], mean[2];
@@ -27,11 +28,11 @@ typedef struct {
 
 void sky_reference_open(SkyReference *reference, SkyReferenceLight light, const void *sky);
 void sky_reference_surface(SkyReferenceSurface *surface);
-/* pi times the lobe and the light's cosine, of directions of unit length, the normal being z. */
+/* pi times the BRDF and the light's cosine, for unit directions, with the normal along z. */
 void sky_reference_lobe(const SkyReferenceSurface *surface, const double eye[3],
                         const double way[3], double lobe[3]);
-/* Light sent to the eye, for a normal and a direction to the eye, in the world; by so many
- * directions of either kind. */
+/* Light sent to the eye, for a normal and a direction to the eye in the world; with `count`
+ * samples of either kind. */
 void sky_reference_sent(const SkyReference *reference, const SkyReferenceSurface *surface,
                         double ways[2][3], int samples, double rgb[3]);
 #endif
