@@ -40,8 +40,8 @@ typedef struct {
     double terms[TERMS];
 } Fit;
 
-/* By facets that are visible (Heitz 2018), at the middles of rings and turns: what facets lose, and
- * of the rest what Schlick's (1 - cosine)^5 has. */
+/* By visible normals (Heitz 2018), at the centers of a grid of rings and azimuths: the energy
+ * that microfacets lose, and the albedo of Schlick's (1 - cosine)^5 relative to the rest. */
 static void integrate(const double eye[3], const double widths[2], double found[2])
 {
     enum { SIDES = 48 };
@@ -123,7 +123,8 @@ static void solve(Fit *fit)
     for (int k = 0; k < TERMS; k++)
         trace += rows[k][k];
     for (int k = 0; k < TERMS; k++)
-        rows[k][k] += 1e-11 * trace / TERMS; /* so that numbers stay small enough for floats */
+        /* regularization, so that coefficients stay small enough for floats */
+        rows[k][k] += 1e-11 * trace / TERMS;
     solve_equations(rows[0], TERMS);
     for (int k = 0; k < TERMS; k++)
         fit->terms[k] = rows[k][TERMS];

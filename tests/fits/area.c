@@ -41,8 +41,8 @@ static double lambda(double alpha, double cosine)
     return (sqrt(1 + alpha * alpha * (1 / (cosine * cosine) - 1)) - 1) / 2;
 }
 
-/* Value of the lobe in a direction, all being 1, and the density by which facets are chosen; 0
- * below the horizon. */
+/* Value of the lobe in a direction, for a Fresnel term of 1, and the density of sampled normals;
+ * 0 below the horizon. */
 static double lobe(const Facets *f, const double l[3], double *density)
 {
     *density = 0;
@@ -57,7 +57,7 @@ static double lobe(const Facets *f, const double l[3], double *density)
     return d / (1 + own + lambda(f->alpha, l[2])) / f->albedo;
 }
 
-/* The mirrored direction by a visible facet (Heitz 2018), of two numbers in (0, 1). */
+/* Reflects at a sampled visible normal (Heitz 2018), by two numbers in (0, 1). */
 static void choose(const Facets *f, const double u[2], double l[3])
 {
     const double x = f->alpha * f->eye[0], size = hypot(x, f->eye[2]),
@@ -124,7 +124,7 @@ static double difference(const Facets *f, const double m[3])
     return sum;
 }
 
-/* Nelder and Mead's simplex, from m on. */
+/* Nelder and Mead's simplex method, starting at m. */
 static void descend(const Facets *f, double step, double m[3])
 {
     double corner[4][3], value[4];
@@ -174,7 +174,7 @@ static void descend(const Facets *f, double step, double m[3])
     memcpy(m, corner[best], sizeof corner[best]);
 }
 
-/* Rough ones first, each from the one before. */
+/* Rough ones first; each fit starts from the previous one. */
 static int find_samples(Sample *samples)
 {
     double first[3] = {1, 1, 0};
@@ -188,7 +188,7 @@ static int find_samples(Sample *samples)
                          cosine = j == COSINES - 1 ? .01 : 1 - .997 * t * t;
             Facets f;
             place(alpha, cosine, &f);
-            if (j == 0) { /* alike all around */
+            if (j == 0) { /* isotropic at normal incidence */
                 for (int k = 0; k < 3; k++)
                     m[k] = first[k] * alpha;
                 if (rough > .2)
@@ -241,7 +241,8 @@ static void solve(const Sample *samples, int count, int part, double solution[TE
     for (int k = 0; k < TERMS; k++)
         trace += rows[k][k];
     for (int k = 0; k < TERMS; k++)
-        rows[k][k] += 1e-12 * trace / TERMS; /* so that numbers stay small enough for floats */
+        /* regularization, so that coefficients stay small enough for floats */
+        rows[k][k] += 1e-12 * trace / TERMS;
     solve_equations(rows[0], TERMS);
     for (int k = 0; k < TERMS; k++)
         solution[k] = rows[k][TERMS];

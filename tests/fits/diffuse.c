@@ -21,8 +21,7 @@
 enum { TERMS = 4, ANGLES = 400, STEPS = 2000, ROUNDS = 100, KINDS = 3 };
 static const int power_of[KINDS] = {0, 1, 5};
 
-/* By the middles of steps in the angle above the horizon, whose sine c' is, from one end to the
- * other. */
+/* Midpoint rule over the angle above the horizon, whose sine is c'. */
 static double part(double from, double to, double cosine, int power)
 {
     double sum = 0;

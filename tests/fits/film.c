@@ -32,7 +32,7 @@ static void weigh(Fit *f, double (*want)[3])
     for (int component = 0; component < 3; component++) {
         double rows[TERMS * (TERMS + 1)] = {0};
         for (int i = 0; i < WAYS; i++) {
-            const double weight = i ? 1 : 1e4; /* white is white */
+            const double weight = i ? 1 : 1e4; /* the sums must give white for way 0 */
             for (int a = 0; a < TERMS; a++) {
                 for (int b = 0; b < TERMS; b++)
                     rows[a * (TERMS + 1) + b] +=
@@ -53,7 +53,7 @@ static void weigh(Fit *f, double (*want)[3])
     }
 }
 
-/* By a sum over wavelengths. */
+/* Response of the components, as a sum over wavelengths. */
 static void respond(double way, double components[3])
 {
     double sum[3] = {0}, white[3] = {0}, one[3];

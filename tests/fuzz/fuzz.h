@@ -4,7 +4,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* 0; a fault aborts. */
+/* Returns 0; a fault aborts. */
 int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size);
 
 /* A reader of files for MatcOptions: includes and pictures do not exist. */

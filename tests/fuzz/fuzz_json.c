@@ -52,7 +52,7 @@ static bool same(const Tree *tree, const cJSON *json)
 int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
 {
     ReadText r;
-    char *text = malloc(size + 1); /* no byte more: a sanitizer sees reads past the zero */
+    char *text = malloc(size + 1); /* exact size, so that a sanitizer detects reads past the zero */
     if (!text)
         abort();
     if (size)

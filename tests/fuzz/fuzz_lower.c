@@ -14,7 +14,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
     int count = 0;
     for (size_t i = 2; i < size && count < MAX_CHOICES; i++)
         script[count++] =
-            /* small ones and parts of 2^24 */
+            /* small numbers, and multiples of 2^17 */
             bytes[i] < 128 ? bytes[i] : (uint32_t)(bytes[i] - 127) << 17;
     Choices choices;
     Arena arena = {0};

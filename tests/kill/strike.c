@@ -51,7 +51,7 @@ __attribute__((constructor)) static void begin(void)
     ready = true;
 }
 
-/* By the system's own calls, which are not counted. */
+/* Uses direct system calls, which are not counted. */
 __attribute__((destructor)) static void end(void)
 {
     const char *path = getenv("STRIKE_LOG");
@@ -72,14 +72,18 @@ static void die(void)
         pause();
 }
 
-enum { LOOKS, CHANGES = 1, GROWS = 3 /* it changes something, and wants room */ };
+enum {
+    LOOKS,
+    CHANGES = 1,
+    GROWS = 3 /* effect of a call: none; changes files; also needs disk space */
+};
 
 static int how_of(int open_how)
 {
     return open_how & O_CREAT ? GROWS : open_how & O_ACCMODE ? CHANGES : LOOKS;
 }
 
-/* Counts a call; true: it is to fail, and errno says how. */
+/* Counts a call; returns true if it has to fail, with errno set. */
 static bool strike(const char *name, int does)
 {
     long number = ready ? ++calls : 0;
@@ -95,7 +99,7 @@ static bool strike(const char *name, int does)
     return true;
 }
 
-/* The function that ours is called instead of. */
+/* Finds the original function that ours replaces. */
 static void find(void *function, const char *name)
 {
     void *found = dlsym(RTLD_NEXT, name);
@@ -140,7 +144,7 @@ CALL(ssize_t, writev, GROWS, (int file, const struct iovec *parts, int count), (
 CALL(DIR *, fdopendir, LOOKS, (int file), (file), NULL)
 CALL(struct dirent *, readdir, LOOKS, (DIR * dir), (dir), NULL)
 
-/* A file that fails to close is closed all the same. */
+/* A close that fails still closes the file. */
 int close(int file)
 {
     static int (*real)(int);

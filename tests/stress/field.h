@@ -5,7 +5,7 @@
 
 enum { FIELD_EDGE = 64, FIELD_COUNT = FIELD_EDGE * FIELD_EDGE };
 
-/* Coordinates 0, -0, denormal, 1e-8 to 1e8, borders of cells and the floats next to them; normals
- * and tangents that are zero, tiny, long, parallel. A quarter of the points is ordinary. */
+/* Coordinates 0, -0, denormal, 1e-8 to 1e8, borders of cells and adjacent floats; normals and
+ * tangents that are zero, tiny, long, parallel. A quarter of the points is ordinary. */
 void hostile_points(Point points[FIELD_COUNT]);
 #endif

@@ -22,7 +22,7 @@ void pixel_inputs(Pixel pixel, double inputs[INPUT_COUNT][4])
     }
 }
 
-/* Behind the line that tells the version. */
+/* Inserts the definitions after the #version line. */
 char *pixel_program(Pixel pixel, const char *fragment)
 {
     size_t capacity = strlen(fragment) + 128, head = strcspn(fragment, "\n") + 1;

@@ -5,12 +5,12 @@
 #include "choices.h"
 
 typedef struct {
-    /* Whether what the script leads to still has the fault. */
+    /* Returns true if the script's document still has the fault. */
     bool (*fails)(void *user, const uint32_t *script, int count);
     void *user;
-    int tries; /* that may still be made */
+    int tries; /* remaining number of tries */
 } Shrinker;
 
-/* In place; the new count. */
+/* Shrinks in place; returns the new count. */
 int shrink(Shrinker *s, uint32_t *script, int count);
 #endif

@@ -15,8 +15,8 @@
 #define MATC_VALUE_EXPRESSION_H
 #include "compiler/ir/ir.h"
 
-/* The node; 0 where the text is none of these. */
+/* Returns the node; 0 for a syntax error. */
 Ref expression_read(Ir *ir, const char *text);
-/* Text that expression_read reads to the same node. */
+/* Prints text that expression_read reads to the same node. */
 void expression_print(Text *out, const Ir *ir, Ref ref);
 #endif

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Functions that the GL layer does not list. */
+/* GL functions that the GL layer does not load. */
 typedef struct {
     void (*active_attribute)(GLuint, GLuint, GLsizei, GLsizei *, GLint *, GLenum *, GLchar *);
     GLint (*attribute_location)(GLuint, const GLchar *);

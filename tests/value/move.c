@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-/* A volume's point is its highest. */
+/* Displaces a point; for a volume, to its highest point. */
 static void move(const Surface *surface, bool volume, const OracleDisplacement *d,
                  double position[3])
 {

@@ -3,6 +3,6 @@
 #ifndef MATC_VALUE_WORKERS_H
 #define MATC_VALUE_WORKERS_H
 
-/* Runs `work` in as many threads as the machine has processors, 8 at most, and waits for them. */
+/* Runs `work` in as many threads as the machine has processors, at most 8, and waits for them. */
 void workers_run(void *(*work)(void *user), void *user);
 #endif
