@@ -104,7 +104,7 @@ static const char *const glosses[3] = {
     "shininess: { map: Granite, input: { map: XYZTransform, transform: { scale: $s "
     "} } }\n"};
 
-/* The lowest digit of *number in that radix. */
+/* Removes and returns the lowest digit of *number in that radix. */
 static int digit(unsigned *number, unsigned radix)
 {
     unsigned lowest = *number % radix;
@@ -114,7 +114,7 @@ static int digit(unsigned *number, unsigned radix)
 
 void batch_different(int index, Text *out)
 {
-    /* shares no factor with the count, so that neighbours differ in all digits */
+    /* coprime to the count, so that consecutive materials differ in all digits */
     const unsigned stride = 87911;
     Writer w = {(unsigned)index * 2654435761u, out};
     unsigned number =
@@ -132,7 +132,7 @@ void batch_different(int index, Text *out)
     fill(&w, glosses[digit(&number, 3)]);
 }
 
-/* How often a family is met in a scene, of all weights together. */
+/* Families of a scene, and their weights. */
 static const struct {
     const char *name;
     int weight;

@@ -9,7 +9,7 @@
 
 enum { SWEEP = 65536, QUICK_SWEEP = 8192 };
 
-/* Every slot of a colour is x. */
+/* Every slot of a color has the value x. */
 static const char document_text[] =
     "material: Phong\n"
     "diffuse: &x { map: Gradient, direction: [1, 0, 0] }\n"
@@ -25,7 +25,7 @@ typedef struct {
     Material material;
     FieldVertex points[POINTS];
     SlotValues first[POINTS], second[POINTS];
-    double *codes; /* that one component was read back as, in the order of the sweep */
+    double *codes; /* values read back for one component, in the order of the sweep */
     long read, changed;
 } Sweep;
 
@@ -38,7 +38,7 @@ static bool draw(Sweep *s, SlotValues *values)
     return done;
 }
 
-/* The component is fed what it was read as. */
+/* Feeds the component with the values that were read back. */
 static bool check_component(Sweep *s, Slot slot, int component)
 {
     for (int i = 0; i < POINTS; i++)
@@ -71,7 +71,7 @@ static int distinct(const double *codes, int count)
 {
     int found = count > 0;
     for (int i = 1; i < count; i++)
-        found += codes[i] != codes[i - 1]; /* a sweep upwards reads back upwards */
+        found += codes[i] != codes[i - 1]; /* an ascending sweep reads back ascending */
     return found;
 }
 

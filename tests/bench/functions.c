@@ -8,10 +8,10 @@
 #include <stdio.h>
 
 enum { SIDE = 512, PIXELS = SIDE * SIDE };
-static const double UNIT = 1. / (1 << 24); /* of relative errors */
+static const double UNIT = 1. / (1 << 24); /* unit of relative errors */
 
-/* Drawn from `low` on, over a width that is a power of two, so that every number of the grid is a
- * float. */
+/* Drawn from `low` on, over a width that is a power of two, so that every number of the grid is
+ * a float. */
 typedef struct {
     const char *name, *library; /* a library function, or "" */
     double (*reference)(double);
@@ -31,7 +31,7 @@ static const Row rows[] = {
     {"atan", "", atan, -64, 128, false, 4e-6},
 };
 
-/* How much larger than stated the worst is, and the worst. */
+/* Greatest ratio of the error to the stated bound, and the greatest error. */
 typedef struct {
     double seen, ratio;
 } Worst;

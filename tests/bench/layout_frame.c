@@ -40,7 +40,7 @@ static double least_draw(GlContext *gl, const Screen *screen)
     return least * 1e3;
 }
 
-/* The sum of all slots. */
+/* Writes the sum of all slots. */
 static void reader_text(const LayoutRow *layout, char *text)
 {
     static const char *const swizzle[] = {".w", ".xy", ".xyz"};
@@ -61,7 +61,7 @@ typedef struct {
     GlContext *gl;
     Store *store;
     Screen screen;
-    Framebuffer target; /* of the pass that reads */
+    Framebuffer target; /* target of the reading pass */
 } Bench;
 
 static bool time_write(Bench *b, MatcProgram *program, const Framebuffer *gbuffer, double *ms)

@@ -12,7 +12,7 @@
 
 enum { SIDE = 512, GPU_FACTOR = 4, ROUNDS = 41, TEXT_CAPACITY = 1 << 17, PATH_CAPACITY = 1024 };
 
-/* A function `float noise(vec3)`: of a file beside this one, or of the library by a choice. */
+/* A function `float noise(vec3)`: from a file in this folder, or from the library by a choice. */
 typedef struct {
     const char *name, *file;
     Choice choice;
@@ -38,7 +38,7 @@ static const char text_main[] =
     "    colour = vec4(sum);\n"
     "}\n";
 
-/* The fragment program of a row. False: said. */
+/* Writes the fragment program of a row. Returns false after a message. */
 static bool write_text(const Row *row, char text[TEXT_CAPACITY])
 {
     char path[PATH_CAPACITY], *read = NULL;

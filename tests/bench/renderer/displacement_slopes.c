@@ -10,13 +10,13 @@
 
 enum { POINTS = 4000, TEXT = 300, PARTS = 4 };
 
-/* Degrees in the root of the mean square, and at most. */
+/* Error in degrees: root mean square, and maximum. */
 typedef struct {
     double mean, most;
 } Off;
 
-/* By how much of the body's radius it rises, or is moved by a vector; without what turns: normals
- * of the base, or its tangents about them. */
+/* Height or vector displacement relative to the radius; with constant base normals, or tangents,
+ * as the approximation. */
 typedef struct {
     CurvedBody body;
     double part;

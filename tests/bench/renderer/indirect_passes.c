@@ -40,10 +40,9 @@ typedef struct {
     double radius;
     int bounces;
     double
-        /* milliseconds on a GPU of the H100's kind that the first of its rows may take; NAN:
-         * nothing is said */
+        /* max milliseconds of the first row on a GPU like an H100; NAN: no goal */
         most;
-    const char *rows[ROWS_MAX]; /* keys */
+    const char *rows[ROWS_MAX]; /* settings of each row */
 } Place;
 
 static const Place places[] = {
@@ -70,7 +69,7 @@ typedef struct {
     MatcDocument *document;
     Scene *scene;
     Renderer *render;
-    double least[TIMED]; /* seconds */
+    double least[TIMED]; /* minimum of seconds */
 } Row;
 
 static void close_row(Row *row)
@@ -111,7 +110,7 @@ static double each_frame(const Row *row)
     return sum;
 }
 
-/* Goals are those of the first row, and of GPUs. */
+/* Goals apply to the first row, and to GPUs. */
 static void put_row(const IndirectPasses *p, const Place *place, const Row *row, const Row *march,
                     int number)
 {

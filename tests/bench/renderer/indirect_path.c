@@ -23,7 +23,7 @@ static const char body[] =
     "} "
     "}\n";
 
-/* The first is what the others are compared with. */
+/* The first one is the reference of the others. */
 static const char *const ways[] = {"samples: 16",
                                    "filter: none",
                                    "filter: none, history: 16",
@@ -44,7 +44,7 @@ typedef struct {
     Scene *scene;
     Renderer *render;
     float now[4 * PIXELS];
-    double error[PIXELS]; /* of the frame before */
+    double error[PIXELS]; /* errors of the previous frame */
     double off, flicker;  /* sums of mean squares */
 } Path;
 

@@ -13,11 +13,11 @@ typedef struct {
     int width, height;
 } ForwardSource;
 
-/* NULL: see gl->error. The scene stays until it is closed. */
+/* Returns NULL with gl->error. The scene must outlive it. */
 Forward *forward_open(GlContext *gl, const ForwardSource *source);
 void forward_draw(Forward *forward);
-/* Linear light, four floats a pixel, row 0 is the bottom row. */
+/* Linear light, four floats per pixel, row 0 is the bottom row. */
 bool forward_read(Forward *forward, float *rgba);
-/* NULL is nothing. */
+/* Accepts NULL. */
 void forward_close(Forward *forward);
 #endif

@@ -47,7 +47,7 @@ static bool measure_whole(const Bench *bench, const Whole *whole, WholeTimes *ti
     return fine;
 }
 
-/* "" where it does not run. */
+/* "" if the pass does not run. */
 static const char *pass_time(const Bench *bench, const RendererPassTime *pass,
                              char text[BENCH_NUMBER])
 {

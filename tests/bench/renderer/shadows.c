@@ -63,7 +63,7 @@ static bool measure_errors(const Shadows *s)
 
 /* -- times */
 
-/* Time of shadows alone: that of a frame less that of one without them. */
+/* Time of shadows alone: that of a frame minus that of one without shadows. */
 static void put_times(const Shadows *s, const ShadowsTime times[SHADOWS_METHODS_MAX])
 {
     const ShadowsTime none = times[0], pcf = times[s->pcf];
@@ -145,7 +145,7 @@ static bool open_mesh(const BenchOptions *options, Shape *made)
     return fine;
 }
 
-/* None, PCF, and those that a light's `shadows:` calls so. */
+/* Keeps none, PCF, and the methods with that name in a light's `shadows:`. */
 static bool keep_only(const char *name, Shadows *s)
 {
     int count = 0, pcf = 0;
