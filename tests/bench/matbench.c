@@ -30,7 +30,7 @@ void bench_show(const char *what)
 {
     Arena arena = {0};
     Text line = text_new(&arena);
-    double none = 0; /* minimal score of a proposed name */
+    double none = 0; /* time of the last line: no rate limit */
     if (isatty(STDERR_FILENO))
         fputs(progress_line(&line, what, bench_now(), &none), stderr);
     arena_free(&arena);
