@@ -5,7 +5,8 @@
 #include "tests/frame/frame_voxels.h"
 #include <stdlib.h>
 
-/* Goes along a pixel's ray in small steps: the component of the first full voxel, or -1. */
+/* Marches along a pixel's ray in small steps: returns the face axis of the first full voxel, or
+ * -1. */
 static int component_seen(const FrameVoxelsDrawn *d, int pixel, int width, int height)
 {
     const SceneCamera *camera = &d->scene->camera;

@@ -19,7 +19,7 @@ static void methods_against_rays(void **state)
     (void)state;
     static const struct {
         const char *keys;
-        double open, light; /* at most */
+        double open, light; /* upper bounds */
     } methods[] = {{"method: march, rays: 32, steps: 32", 0.09, 0.5},
                    {"method: march, march: voxels, rays: 32, steps: 32", 0.0095, 0.2},
                    {"method: screen, rays: 32, steps: 16", 0.075, 0.55},
@@ -67,8 +67,8 @@ static void methods_against_rays(void **state)
     gl_close(gl);
 }
 
-/* A second bounce is no more off than the first. Rays of samples that are averaged are as good as
- * so many at once. */
+/* A second bounce has no greater error than the first. Averaged samples are as good as equally
+ * many rays at once. */
 static void bounces_and_samples(void **state)
 {
     (void)state;

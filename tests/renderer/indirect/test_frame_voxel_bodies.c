@@ -71,7 +71,7 @@ static double most_open(const FrameVoxelsDrawn *d)
 static void nothing_gets_out_of_a_room_of_boxes(void **state)
 {
     (void)state;
-    static const double walls[] = {.1, .5, 1, 1.4, 2, 4}; /* voxels, about */
+    static const double walls[] = {.1, .5, 1, 1.4, 2, 4}; /* in voxels, approximately */
     char room[TEXT];
     for (size_t i = 0; i < sizeof walls / sizeof *walls; i++) {
         put_capacity(walls[i] * 3.4 / SIZE, room);
@@ -96,7 +96,7 @@ static bool is_within(const double at[3], const double middle[3], double half, d
     return most < half;
 }
 
-/* Three boxes in a row, each over half of the next; and one twice. */
+/* Three overlapping boxes in a row, and two identical ones. */
 static void what_crosses_is_full(void **state)
 {
     (void)state;

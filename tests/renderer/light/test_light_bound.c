@@ -13,8 +13,8 @@ typedef struct {
     double slope, start;
 } Line;
 
-/* By how much a component y, as it is mapped, may be off: the lesser of two lines; for light that
- * is off by r times itself and a. */
+/* Error bound of a tone-mapped component y: the smaller of two lines; for light with the error r
+ * times itself plus a. */
 typedef struct {
     SceneKind tone;
     Line lines[2]; /* in r and a */

@@ -60,8 +60,7 @@ static const char lobes[] =
     "    l.z = max(l.z, 0.05); l = normalize(l);\n"
     "    return vec4(microfacetsAlong(m, vec3(0.0, 0.0, 1.0), l, normalize(l + "
     "v), l.z, vec2(v.z, maskedAlong(m, v, v.z))), l); }\n";
-/* Half of the directions by what the eye sees of the facets (Heitz 2018), half by the cosine; the
- * coat's are wide. */
+/* Half of the directions by visible normals (Heitz 2018), half by the cosine; the coat is rough. */
 static const char furnace[] =
     "float sent(Surface surface, vec3 v) {\n"
     "    Lit m = surfaceLit(surface, v);\n"

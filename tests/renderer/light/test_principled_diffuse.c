@@ -96,7 +96,7 @@ static double rough_of(int y) { return .0316227766 + .9683772 * y / (SIDE - 1); 
 static double cosine_of(int x) { return .1 + .9 * x / (SIDE - 1); }
 static double varied(int i, double step) { return fmod(.5 + step * i, 1); }
 
-/* Fujii's lobe over an even one's. */
+/* Fujii's lobe relative to Lambert's. */
 static double once_of(double rough, double l, double v, double turn)
 {
     const double s = sqrt(1 - l * l) * sqrt(1 - v * v) * cos(turn), t = s > 0 ? fmax(l, v) : 1;

@@ -148,7 +148,7 @@ static void airy_of(double thickness, double cosine, double components[3])
         components[component] /= white[component];
 }
 
-/* A film in air is one on a base of index 1, which reflects nothing of its own. */
+/* A film in air equals one on a base of index 1, which reflects nothing itself. */
 static void soap_is_airys(void **state)
 {
     (void)state;

@@ -70,7 +70,8 @@ static const char turned[] =
     "    float e = surfaceThrough(glass, v).x, f = surfaceThrough(behind, -v).x;\n"
     "    return vec4(abs(a - b) / (a + b + 1e-6), abs(c - d) / (c + d), abs(e - f) / (e + f), "
     "1.0);\n}\n";
-/* Holes and glass in one: half of the surface is there, four fifths of that let light through. */
+/* Cut-outs and transmission combined: half of the surface is present, and four fifths of that
+ * transmit light. */
 static const char holes[] =
     "vec4 passPixel(ivec2 p) { Surface s = made(1.0, 0.0, 0.5 + 0.4, 0.0, 0.04, vec2(0.0)); "
     "s.transmission = 0.4; s.diffuse = vec3(0.2);\n"
