@@ -48,8 +48,8 @@ static bool is_there(const uint64_t *leaves, int count, uint64_t leaf)
     return low < count && leaves[low] == leaf;
 }
 
-/* How many of `fine` lie within a triangle of `coarse` that is not divided as far. Numbers of
- * triangles: those it lies in are it without its last bits. */
+/* Number of triangles of `fine` inside a coarser one of `coarse`. The numbers of enclosing
+ * triangles are prefixes, in bits. */
 static int finer(const uint64_t *fine, int fine_count, const uint64_t *coarse, int coarse_count)
 {
     int found = 0;
@@ -63,7 +63,7 @@ static int finer(const uint64_t *fine, int fine_count, const uint64_t *coarse, i
     return found;
 }
 
-/* For a lamp at a place of the Area; from malloc. */
+/* Leaves for a lamp at a position on the Area; from malloc. */
 static uint64_t *of_lamp(BisectionBody *b, const Row *row, const double at[2], int *count)
 {
     SceneLight *lamp = &b->scene->lights[0];

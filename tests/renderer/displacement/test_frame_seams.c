@@ -19,8 +19,7 @@ static const double bound = 1.0 / 256 + 2.0 / 255;
 
 static GlKind kind;
 
-/* Slot `diffuse`, `ambient` or whatever is shown, of both materials on faces that fill most of
- * the picture. */
+/* Draws a slot of both materials on faces that fill most of the picture. */
 static float *draw(const char *text, const char *slot, const char *aa)
 {
     MatcOptions options;
@@ -54,7 +53,7 @@ static void write_fan(const char *path)
 }
 
 typedef struct {
-    const char *material, *slot; /* what stands before the picture, and which slot has it */
+    const char *material, *slot; /* text before the picture, and the slot that contains it */
 } Surface;
 typedef struct {
     const char *first, *second; /* the coordinate of each material */

@@ -20,7 +20,7 @@ static bool same(const float *a, const float *b, const Scene *scene)
 
 /* -- what is out of view */
 
-/* A picture with culling is the picture without, bit for bit, with instances and without them. */
+/* A picture with culling equals one without, bit for bit, with instances and without. */
 static void nothing_in_view_is_left_out(void **unused)
 {
     (void)unused;
@@ -43,7 +43,7 @@ static void nothing_in_view_is_left_out(void **unused)
     gl_close(gl);
 }
 
-/* Pixels whose normal is turned against that of one beside them. */
+/* Number of pixels whose normal is opposite to a neighbor's. */
 static int count_turned(const float *normals, int width, int height)
 {
     int turned = 0;
@@ -122,8 +122,8 @@ static void no_inside_at_a_rim(void **unused)
     gl_close(gl);
 }
 
-/* From within a body, and where the nearest that is seen cuts into one, insides are there; from
- * outside all is as without culling. */
+/* From inside a mesh, and where the near plane cuts into one, backfaces are visible; from
+ * outside the picture equals that without culling. */
 static void insides_are_seen_from_within(void **unused)
 {
     (void)unused;
@@ -159,7 +159,8 @@ static void insides_are_seen_from_within(void **unused)
     gl_close(gl);
 }
 
-/* Unit boxes beside the view, a little out of it and a little in it; angles by closed forms. */
+/* Unit boxes at the frustum's sides, slightly outside and slightly inside; angles by closed
+ * forms. */
 static void boxes_at_the_planes(void **unused)
 {
     (void)unused;
@@ -203,8 +204,8 @@ static void boxes_around_meshes(void **unused)
 
 /* -- instances */
 
-/* By uniforms, object by object, the same is drawn: depth bit for bit, light but for a step of a
- * normal's code. */
+/* Drawing objects individually by uniforms gives the same: depth bit for bit, light except for
+ * one step of a normal's code. */
 static void instances_or_not(void **unused)
 {
     (void)unused;
@@ -289,8 +290,8 @@ static char *rows_text(int count)
     return text;
 }
 
-/* Eight times the objects and materials are as many calls of every kind, and eight times the
- * bytes. */
+/* Eight times as many objects and materials need equally many calls of every kind, and eight
+ * times the bytes. */
 static void calls_do_not_grow(void **unused)
 {
     (void)unused;

@@ -25,8 +25,8 @@ enum { WIDTH = 120, HEIGHT = 90, PIXELS = WIDTH * HEIGHT, SIZE = 256 };
     SEEN_BY("Orthographic, position: [-1, -6, 5], target: [0, 0, .5], size: 5.5, depth: 12.5")
 #define LEVEL SEEN_BY("Perspective, position: [0, -7, 1.5], target: [0, 0, 1.5], angle: 42")
 #define VIEW  SEEN_BY("Perspective, position: [1.5, -7, 4], target: [0, 0, .5], angle: 42")
-/* Closed, as what casts hybrid shadows is; one is mirrored, one above the light of a lamp at the
- * origin's height. */
+/* Closed meshes, as hybrid shadows require; one is mirrored, one above the light of a lamp at
+ * the origin's height. */
 #define THINGS                                                                                     \
     "objects:\n- { object: Plane, material: m }\n"                                                 \
     "- { object: Sphere, radius: .8, material: m, transform: { translation: [-.6, -.4, 1.2] } }\n" \
@@ -41,7 +41,8 @@ enum { WIDTH = 120, HEIGHT = 90, PIXELS = WIDTH * HEIGHT, SIZE = 256 };
     ".9], rotation: [.4, 0, "                                                                      \
     ".3] } }\n"
 
-/* Light that arrives at each pixel, as a share of all of it; -1 where none would. From malloc. */
+/* Share of the light that arrives at each pixel; -1 where none would without shadows. From
+ * malloc. */
 static float *shares_of(GlContext *gl, Scene *scene, const MatcOptions *options)
 {
     float *with = frame_floats(gl, scene, &(RendererOptions){.compile = options, .view = "light"});
@@ -124,8 +125,8 @@ static Count compare(GlContext *gl, const Case *c)
         "Point, position: [0, .6, 1.1]", 2, volume, band, VIEW                                     \
     }
 
-/* The volume's walls stand up to a texel off, and depths of a texel hold half a texel beside its
- * centre; means reach two texels further. */
+/* The volume's walls are up to a texel off, and a texel's depth holds within half a texel of its
+ * center; means reach two texels further. */
 static void rays(void **state)
 {
     (void)state;
@@ -231,7 +232,7 @@ static void ends(void **state)
 
 /* -- diagonals */
 
-/* From the plane of the other three corners, in double; the quad's edges are 1 long. */
+/* Distance from the plane of the other three corners, in double; the quad's edges are 1 long. */
 static double distance_of(const double z[4], int corner)
 {
     static const double x[4] = {0, 1, 1, 0}, y[4] = {0, 0, 1, 1};
@@ -253,7 +254,7 @@ static bool is_turned(const double z[4])
     return (far[1] > far[0] && far[1] > far[2]) || (far[3] > far[0] && far[3] > far[2]);
 }
 
-/* All quads of four depths from 0 to 7, which are exact: 4096 of them, a pixel each. */
+/* All quads of four depths from 0 to 7, which are exact: 4096, one pixel each. */
 static void diagonals(void **state)
 {
     (void)state;
@@ -295,8 +296,8 @@ static void diagonals(void **state)
     gl_close(gl);
 }
 
-/* A box that moves changes what the map is fitted to: a frame is then that of a new renderer, bit
- * for bit. */
+/* A moved box changes the fit of the map: a frame then equals that of a new renderer, bit for
+ * bit. */
 static void changes(void **state)
 {
     (void)state;
@@ -358,7 +359,7 @@ static void draw_path(GlContext *gl, const char *volume, const char *path, float
     frame_forget(scene, document);
 }
 
-/* Paths draw the same, bit for bit; what is moved goes with them. */
+/* All data paths draw the same, bit for bit, also after a move. */
 static void paths(void **state)
 {
     (void)state;

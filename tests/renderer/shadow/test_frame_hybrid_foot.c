@@ -69,7 +69,7 @@ static double wall_at(const ShadowView *view, int size, double *gap)
     return (1 + *gap - texel) * *gap / (1 + *gap);
 }
 
-/* The first x behind the riser that is dark. */
+/* The first dark x behind the riser. */
 static double begin_of(const float *shares)
 {
     int pixel = 0;
@@ -79,7 +79,7 @@ static double begin_of(const float *shares)
     return (pixel + .5) / 640;
 }
 
-/* Where shadows begin on the floor, by the method. */
+/* Start of shadows on the floor, by the method. */
 static double begin_by(const ShadowPair *pair, Scene *scene, Keyword method)
 {
     scene->lights[0].shadows = method;

@@ -16,7 +16,7 @@ typedef struct {
     double most[SHADOW_ENDS_RECEIVERS]; /* texels */
 } Case;
 
-/* How many of them are farther off than they may be. */
+/* Number of receivers whose error exceeds the bound. */
 static int ends_of(const ShadowPair *pair, const Case *c)
 {
     Shape shape = meshes_read(c->mesh);
@@ -32,7 +32,7 @@ static int ends_of(const ShadowPair *pair, const Case *c)
     return far;
 }
 
-/* The argument: exact shadows of this mesh alone are looked at, as the largest takes a minute. */
+/* The argument: tests exact shadows of this mesh alone, as the largest takes a minute. */
 static const char *alone;
 
 static void ends_are_true(void **state)

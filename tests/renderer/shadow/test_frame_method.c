@@ -50,8 +50,8 @@ static const ShadowMethod by_views = {
 
 /* -- pictures */
 
-/* The light of the scene by a technique in the place of the one of its word; by none without one.
- * From malloc. */
+/* Draws the scene's light with a replacement for the technique of its keyword; NULL: the
+ * original one. From malloc. */
 static float *light_of(GlContext *gl, const Scene *scene, const ShadowMethod *method)
 {
     const MatcOptions options = frame_exact_options();

@@ -21,7 +21,7 @@ static void changes(void **state)
     gl_close(gl);
 }
 
-/* Other triangles are seen where something opaque has moved, and nothing is counted again. */
+/* A moved opaque object changes the visible triangles, without a recount. */
 static void microfacets(void **state)
 {
     (void)state;

@@ -61,7 +61,7 @@ static void put_scene(const Case *c, char *text, size_t size)
                            c->casters[i].middle, c->casters[i].turned);
 }
 
-/* The ground as a mesh of these vertices, as a bump map would have it. */
+/* The ground as a mesh with leaning normals, as by a bump map. */
 static void lean_ground(Scene *scene, double lean, ShapeVertex vertices[4], SceneMesh *mesh)
 {
     static uint32_t indices[6] = {0, 1, 2, 0, 2, 3};

@@ -16,7 +16,7 @@
 
 enum { ROWS = 7, MOST = 10, RING = 12, NUMBERS = ROWS * 3 * MOST };
 
-/* The numbers of an array of the text, without its comments. */
+/* Reads the numbers of an array in the GLSL text, without its comments. */
 static int read_numbers(const char *name, int *numbers, int most)
 {
     const char *at = strstr(render_text_volume_cells, name);
@@ -32,7 +32,7 @@ static int read_numbers(const char *name, int *numbers, int most)
     return count;
 }
 
-/* Which segments of a row's cells are crossed. */
+/* Bits of the crossed segments for each row of cells. */
 static const int crossed_of[ROWS] = {0, 1, 1, 1 | 8, 1 | 4, 1 | 2 | 8, 15};
 
 /* The corners that surround a cell, in order. */
@@ -47,8 +47,8 @@ static int ring_of(int crossed, int ring[RING])
     return count;
 }
 
-/* Each edge of the ring is one triangle's, in its order; all others are two triangles', once each
- * way round; and there are as many as it takes. */
+/* Each edge of the ring belongs to one triangle, in the ring's direction; every other edge to
+ * two triangles, once in each direction; and the number of triangles is minimal. */
 static void triangles_close_cells(void **state)
 {
     (void)state;
@@ -152,7 +152,7 @@ static void the_slope_goes_on_behind_a_cut(void **state)
     "- { object: Box, material: m, transform: { translation: [1, .5, .9], rotation: [0, 0, .3] } " \
     "}\n"
 
-/* A floor of glass is lit as a solid one: its fragments look up the triangles that the stencil
+/* A floor of glass is lit like a solid one: its fragments look up the triangles that the stencil
  * counts. */
 static void glass_is_lit_as_floors_are(void **state)
 {
