@@ -42,7 +42,7 @@ static void release(Compiled *c)
     matc_document_free(c->document);
 }
 
-/* Bits: 1, the keys are equal; 2, the shapes. */
+/* Returns bits: 1, the keys are equal; 2, the shapes. */
 static int meeting(const char *text, const char *other, const char *option, const char *value)
 {
     Compiled a = compile("a.yaml", text, option, value),

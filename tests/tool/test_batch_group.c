@@ -120,7 +120,7 @@ static void assert_members(const Made *made, int program, const int *members, in
         assert_int_equal(got[i], members[i]);
 }
 
-/* Which documents write programs once more, as "program" lists. */
+/* Checks which documents write programs a second time: "program" lists. */
 static void assert_again(const Made *made, int document, const int *again, int count)
 {
     assert_int_equal(made->documents[document].again_count, count);

@@ -12,8 +12,7 @@
 
 enum { OLD_SECONDS = 7200 };
 
-/* Temporary files of the GPU scene are as old as those that lost their writer, and it was looked
- * through long ago. */
+/* Makes the cache's temporary files as old as abandoned ones, and its last cleanup long past. */
 static bool temporary_found;
 static int age(const char *path, const struct stat *info, int kind, struct FTW *walk)
 {

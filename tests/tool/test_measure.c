@@ -53,7 +53,7 @@ static MatcOptions defaults(void)
     return options;
 }
 
-/* Nothing is left to be chosen, and all of it is fast. */
+/* All options fixed to fast choices. */
 static MatcOptions fastest(const char *layout)
 {
     MatcOptions options = defaults();

@@ -203,8 +203,8 @@ static int case_of(const Run *r, GLuint word)
     return (int)(word & ((1u << layout_case_bits(r->g.layout)) - 1));
 }
 
-/* A driver takes factors together that it sees, which moves a coordinate by an ULP or two: of one
- * up to 100 that is less than a code's width of any pattern of these sets; of one of 1e5 it is a
+/* The driver may combine literal factors, which moves a coordinate by an ULP or two: for a
+ * coordinate up to 100 less than one code of any pattern of these sets; for one of 1e5 a
  * hundredth of a cell. */
 static bool is_near(const Point *point)
 {

@@ -163,8 +163,8 @@ static void what_fails_leaves_nothing(void **state)
     assert_int_equal(access(path, F_OK), -1);
 }
 
-/* A disk that is full, as far as a limit of files is one: the cause is said, and not what a library
- * makes of it. */
+/* On a full disk, simulated by a file size limit, the system's cause is reported, not a
+ * library's message. */
 static void full_disks_are_said(void **state)
 {
     (void)state;

@@ -43,7 +43,7 @@ static double shade(const Phong *m, const View *view, Vector n, Vector ray, int 
     return sum;
 }
 
-/* Straight to 0.7, then bent. */
+/* The tone curve: linear to 0.7, then bent. */
 static double tone(double c)
 {
     double over = fmax(c - .7, 0) / .3;

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Few cells are empty, and a sheet is wider than high, but not by much. */
+/* Few cells are empty, and a sheet is slightly wider than high. */
 static void columns_fill_rows(void **state)
 {
     (void)state;
@@ -42,8 +42,8 @@ static void add(ContactSheet *sheet, const char *name, int red, int green)
     free(rgb);
 }
 
-/* Places of the sheet where a picture of that colour begins: its pixel is one, and those to the
- * left and above are none. */
+/* Counts the places where a picture of that color begins: pixels of the color without one to the
+ * left and above. */
 static int count_cells(const PngPicture *p, int red, int green, int *left, int *top)
 {
     int count = 0;

@@ -112,8 +112,8 @@ static void every_code_of_srgb_is_decoded(void **state)
     gl_close(gl);
 }
 
-/* Stripes of four texels, seen so flat that a pixel covers a quarter of a texel across them and 16
- * along: greatest less least value of the pixels. */
+/* Stripes of four texels at a grazing angle, so that a pixel covers a quarter of a texel across
+ * them and 16 along: returns the range of the pixels' values. */
 static double contrast(GlContext *gl, int anisotropy)
 {
     enum { SIDE = 64, STRIPE = 4 };

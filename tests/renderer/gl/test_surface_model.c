@@ -104,8 +104,8 @@ static void lambert_is_phong_without_a_lobe(void **state)
     close_rig(&rig);
 }
 
-/* A pixel is the diffuse slot of what is there; a quarter of it, where both sides of the sphere lie
- * over it: .1 + .1 / 2. */
+/* A pixel is the diffuse slot of its surface; a quarter transmittance, where both sides of the
+ * sphere cover it: .1 + .1 / 2. */
 static void flat_is_a_slot(void **state)
 {
     (void)state;

@@ -90,7 +90,7 @@ static bool move_sheet(Drawn *d)
     return renderer_changed_objects(d->renderer, 1, 1);
 }
 
-/* As a new renderer draws the scene, bit for bit, and not as it was. */
+/* A change gives the picture of a new renderer, bit for bit, and not the previous one. */
 static void changes(void **state)
 {
     (void)state;
@@ -160,8 +160,8 @@ static bool graph_has(const Renderer *renderer, const char *line)
     return found;
 }
 
-/* Eight bytes a pixel for each of two lights. Nothing where none casts shadows, or the driver has
- * no images; then what varies casts none. */
+/* Eight bytes per pixel for each of two lights. None without shadows, or on a driver without
+ * images; then surfaces of varying transparency cast no shadows. */
 static void capacity(void **state)
 {
     (void)state;

@@ -318,7 +318,7 @@ static void against_other_renderers(void **state)
 
 enum { MIRRORED, UPSIDE_DOWN, MOVED, DOUBLED, ENCODED, SWAPPED, BRIGHTER, FAULTS };
 
-/* Where a pixel of a frame with the fault comes from. */
+/* The source pixel of a frame's pixel under a fault. */
 static int source_of(const ReferencePicture *picture, int i, int fault)
 {
     const int x = i % picture->width, y = i / picture->width;

@@ -25,8 +25,8 @@ static void published(void **state)
 
 #define RED "materials: { red: { material: RGBA, r: 1 } }\n"
 
-/* The first copy stands where the first numbers say, within the group around it; a seed gives the
- * same each time, another one others. */
+/* The first copy is at the place that the first random numbers give, within its group; equal
+ * seeds give equal copies, others differ. */
 static void places(void **state)
 {
     (void)state;

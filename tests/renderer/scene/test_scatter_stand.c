@@ -93,7 +93,7 @@ static void copies_stand_on_what_is_displaced(void **state)
     forget(scene, document);
 }
 
-/* Upright copies are moved and not turned; none on what is not displaced. */
+/* Upright copies are moved and not rotated; copies on undisplaced surfaces stay unchanged. */
 static void upright_and_flat(void **state)
 {
     (void)state;

@@ -151,8 +151,8 @@ static void each_motion(void **state)
 
 /* -- Origin ------------------------------------------------------------------------------------ */
 
-/* The example of scene_origin.h. All positions are relative to where the plane stands; edges and
- * directions stay. The time is that of the options. */
+/* The example of scene_origin.h. All positions are relative to the plane's; edges and directions
+ * stay. The time is that of the options. */
 static void far_from_the_origin(void **state)
 {
     (void)state;

@@ -284,7 +284,7 @@ static void objects_share_meshes(void **state)
     }
 }
 
-/* A plane has no points to move. What would be too much is said. */
+/* A plane has no points to displace. Too many triangles are reported. */
 static void what_cannot_be_is_reported(void **state)
 {
     (void)state;

@@ -19,7 +19,7 @@ static Scene *read(const char *text, MatcDocument **document)
     return scene;
 }
 
-/* `fine` is read, `beyond` is refused with a message that has these words. */
+/* `fine` is accepted, `beyond` is refused with a message that contains these words. */
 static void assert_border(const char *fine, const char *beyond, const char *words)
 {
     MatcDocument *document;

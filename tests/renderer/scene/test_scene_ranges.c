@@ -39,8 +39,8 @@ static void put_text(const SceneParamRow *row, int component, double value, char
              scene_kind_table[row->kind].name, vector);
 }
 
-/* Whether a value is refused for its range; it may be for what it means, as a view along `up`
- * is. */
+/* True if a value is refused for its range; other refusals, as for a view along `up`, do not
+ * count. */
 static bool is_out_of_range(const SceneParamRow *row, int component, double value)
 {
     char text[512], fault[96], *reported;

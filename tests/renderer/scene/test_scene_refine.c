@@ -229,7 +229,8 @@ static double even_error(const Shape *square, int parts, Height *height)
     return error;
 }
 
-/* At least so many times less than that of an even division of as many triangles. */
+/* The error is smaller than that of a uniform subdivision with as many triangles, at least by
+ * this factor. */
 static void error_is_less(void **state)
 {
     (void)state;
@@ -255,9 +256,9 @@ static void error_is_less(void **state)
     shape_free(&square);
 }
 
-/* Where all triangles miss on one side their corners leave the surface, which takes more than a
- * third off the error; none goes farther than the farthest that was asked for, and what is nearly
- * flat beside a cliff stays. */
+/* If all triangles err to one side, their corners leave the surface, which reduces the error by
+ * more than a third; no corner moves farther than the farthest sample, and nearly flat parts
+ * next to a cliff stay. */
 static void corners_leave_what_is_bent(void **state)
 {
     (void)state;

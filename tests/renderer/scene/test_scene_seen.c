@@ -55,7 +55,7 @@ static void lengths_have_pixels(void **state)
     }
 }
 
-/* In a motion the frame counts in which the point is largest. */
+/* In a motion the frame in which the point is largest counts. */
 static void the_nearest_frame_counts(void **state)
 {
     (void)state;
@@ -77,7 +77,7 @@ static void the_nearest_frame_counts(void **state)
     forget(scene, document);
 }
 
-/* Where a point is in the picture; false: it is not in it. */
+/* Position of a point in the picture; false if outside. */
 static bool project(const Scene *scene, const double at[3], double pixel[2])
 {
     const SceneCamera *c = &scene->camera;
@@ -94,7 +94,7 @@ static bool project(const Scene *scene, const double at[3], double pixel[2])
 
 typedef struct {
     double square;
-    int count, over; /* points in view; those that are off by more than twice what may be */
+    int count, over; /* visible points; those with more than twice the allowed error */
     int triangles[2];
 } Found;
 

@@ -280,8 +280,8 @@ static void each_object(void **state)
     all_kinds_met(SCENE_SORT_object, met);
 }
 
-/* A group, an instance of a definition and a copy of Scatter, each with its matrix around that
- * of the object. The copy stands at (0, 0, 0) as all its ranges are 0, and is scaled by 3. */
+/* A group, an instance of a definition and a copy of Scatter, each with its matrix applied after
+ * the object's. The copy is at (0, 0, 0) because all its ranges are 0, and is scaled by 3. */
 static void objects_within_others(void **state)
 {
     (void)state;
@@ -356,7 +356,8 @@ static void copies(void **state)
     forget(scene, document);
 }
 
-/* An object's name follows those of its groups; what has none has NULL. Nothing is hidden yet. */
+/* An object's name follows those of its groups; unnamed objects have NULL. No object is hidden
+ * initially. */
 static void names(void **state)
 {
     (void)state;

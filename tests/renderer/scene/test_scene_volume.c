@@ -282,8 +282,8 @@ static bool solid_there(void *user, SceneColumn *columns, int count)
     return true;
 }
 
-/* Where heights are smooth a point of the surface asks for three or four columns along its edge,
- * and for four around it; of a cliff all points over an edge are found together. */
+/* For smooth heights a surface point requests three or four columns along its edge, and four
+ * around it; at a cliff all points above an edge are found together. */
 static void few_columns_are_asked_for(void **state)
 {
     (void)state;

@@ -65,8 +65,8 @@ static bool is_apart(const float *a, const float *b)
     return false;
 }
 
-/* Pixels that differ, of those through which the glass is seen; its outline, which moves with its
- * lower side by a fraction of a pixel, is few. */
+/* Number of pixels that differ among those that show the glass; the outline, which moves with
+ * its lower side by a fraction of a pixel, is small. */
 static void faces_on_the_floor_are_hidden(void **state)
 {
     int faults = 0;

@@ -43,7 +43,7 @@ static const struct {
      .3},
 };
 
-/* Root of the mean square of what pixels differ by, as sRGB from 0 to 1. */
+/* Root mean square difference of pixels, as sRGB in [0, 1]. */
 static double difference(const float *a, const float *b)
 {
     double sum = 0;
