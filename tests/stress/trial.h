@@ -10,11 +10,11 @@
 typedef enum {
     FAULT_none,
     FAULT_refused,    /* the document has errors: a fault of the generator */
-    FAULT_no_ir,      /* lowering or the optimiser failed */
+    FAULT_no_ir,      /* lowering or the optimizer failed */
     FAULT_text,       /* the IR's text does not read back as itself */
     FAULT_infinite,   /* a value in double that is not finite */
     FAULT_level_0,    /* the IR as written differs from the oracle */
-    FAULT_level_2,    /* the optimised IR differs */
+    FAULT_level_2,    /* the optimized IR differs */
     FAULT_float,      /* a value in float that is not finite */
     FAULT_packed,     /* a packed number out of its range */
     FAULT_not_valid,  /* glslang refuses the program */

@@ -105,7 +105,7 @@ typedef struct {
     MatcLayout *custom;
     Gbuffer g; /* of the material's own program */
     long materials, shared;
-    /* words that were compared, whose codes are neighbours, whose codes are not */
+    /* words that were compared, whose codes are neighbors, whose codes are not */
     long words, steps, other;
     long numbers, far; /* slots that come back, that differ */
 } Run;

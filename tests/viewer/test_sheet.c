@@ -27,7 +27,7 @@ static const unsigned char *pixel(const PngPicture *picture, int x, int y)
     return picture->bytes + ((picture->height - 1 - y) * picture->width + x) * 3;
 }
 
-/* A picture of one colour but for its lowest row, which is blue: that is next to the name. */
+/* A picture of one color but for its lowest row, which is blue: that is next to the name. */
 static void add(ContactSheet *sheet, const char *name, int red, int green)
 {
     unsigned char *rgb = malloc((size_t)(sheet->width * sheet->height * 3));

@@ -136,7 +136,7 @@ static void test_presets(void **state)
     matc_document_free(lone.document);
 }
 
-/* The constants of java.awt.Color, and the sixteen colours of EGA, by their bytes. */
+/* The constants of java.awt.Color, and the sixteen colors of EGA, by their bytes. */
 static const struct {
     const char *name;
     uint32_t rgb;

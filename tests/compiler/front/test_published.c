@@ -114,7 +114,7 @@ static void cells_are_those_of_materialx(void **state)
     assert_true(worst <= 2e-6);
 }
 
-/* -- Standard Surface's edge colour of metal (Gulbrandsen 2014) beside OpenPBR's tint at 82
+/* -- Standard Surface's edge color of metal (Gulbrandsen 2014) beside OpenPBR's tint at 82
  * degrees */
 
 static double by_index(double cosine, double n, double k2)

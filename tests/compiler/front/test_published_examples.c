@@ -116,7 +116,7 @@ static void usd_brass(const Place *at, Published *m)
 
 static void chess_king(const Place *at, Published *m)
 {
-    set(m->base, at->color); /* scattered light has the same colour */
+    set(m->base, at->color); /* scattered light has the same color */
     m->metal = at->raw[1];
     m->rough = at->raw[2];
     set_normal(at, m);
@@ -299,7 +299,7 @@ static void examples_are_what_they_publish(void **state)
     }
 }
 
-/* The marble's colours, printed by its own graph over its own noise. */
+/* The marble's colors, printed by its own graph over its own noise. */
 static void marble_is_what_it_prints(void **state)
 {
     (void)state;

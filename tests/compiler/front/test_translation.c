@@ -274,7 +274,7 @@ static void widths_are_kept(void **state)
     }
 }
 
-/* glTF's walls are thin where its volume has no thickness: light has the colour once, and through a
+/* glTF's walls are thin where its volume has no thickness: light has the color once, and through a
  * body at each of two surfaces its root. */
 static void thick_glass_is_no_thin_wall(void **state)
 {

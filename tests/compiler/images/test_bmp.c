@@ -78,7 +78,7 @@ static void palettes(void **state)
     check(&(Bmp){LATEST, 2, 2, 8, 0, 4, NULL, palette, eight, 8}, true, four);
     check(&(Bmp){INFO, 2, 2, 4, 0, 4, NULL, palette, nibbles, 8}, true, four);
     check(&(Bmp){INFO, 2, 2, 1, 0, 2, NULL, palette, one, 8}, true, two_colors);
-    uint8_t whole[3 * 16] = {0}; /* a core header has all colours */
+    uint8_t whole[3 * 16] = {0}; /* a core header has all colors */
     memcpy(whole, short_palette, sizeof short_palette);
     check(&(Bmp){CORE, 2, 2, 4, 0, 16, NULL, whole, nibbles, 8}, true, four);
 }

@@ -31,7 +31,7 @@ static void kinds_that_are_refused(void **state)
         }
 }
 
-/* A number that is none or infinite would spread over its neighbours. */
+/* A number that is none or infinite would spread over its neighbors. */
 static void numbers_are_finite(void **state)
 {
     (void)state;

@@ -271,7 +271,7 @@ static void many_scans(void **state)
     picture_refused(&file.made, picture_alone, true, "it has too many scans");
 }
 
-/* Damage that libjpeg fills in with grey and only warns about: blocks missing before the end, a
+/* Damage that libjpeg fills in with gray and only warns about: blocks missing before the end, a
  * code that is in no table, bands that do not go together. */
 static void damaged_scans(void **state)
 {

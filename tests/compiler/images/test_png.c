@@ -111,7 +111,7 @@ static void test_16_bits(void **state)
     check_words(&file, 2, 1, greys, false);
 }
 
-/* A picture of one row: grey of few bits is spread over all of 0 to 255. */
+/* A picture of one row: gray of few bits is spread over all of 0 to 255. */
 static void check_gray(int depth, int width, const char *row, size_t size, const char *texels)
 {
     PictureFile file = {.size = 0};
@@ -131,7 +131,7 @@ static void test_gray(void **state)
     check_gray(8, 2, ROWS("\0\x7E\x01"), G("\x7E") G("\x01"));
 }
 
-/* A palette with alpha for its first two colours, two bits a texel. */
+/* A palette with alpha for its first two colors, two bits a texel. */
 static void test_palette(void **state)
 {
     (void)state;
@@ -144,7 +144,7 @@ static void test_palette(void **state)
                  false);
 }
 
-/* One colour is transparent, and only if all of its 16 bits are the same. */
+/* One color is transparent, and only if all of its 16 bits are the same. */
 static void test_transparent_colour(void **state)
 {
     (void)state;

@@ -62,7 +62,7 @@ static void ratios_of_the_draw_are_no_constants(void **state)
 }
 
 /* Components that are alike are stored once, what never changes not at all, light up to 1 as
- * colours are. */
+ * colors are. */
 static void ranges_make_fields(void **state)
 {
     (void)state;

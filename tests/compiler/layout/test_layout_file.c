@@ -83,7 +83,7 @@ static void what_is_written_reads_back(void **state)
         reads_back(&layout_table[i]);
 }
 
-/* Constants, ranges and grey components, which no built-in layout has; numbers that need all of
+/* Constants, ranges and gray components, which no built-in layout has; numbers that need all of
  * their digits. */
 static void all_of_a_file_reads_back(void **state)
 {

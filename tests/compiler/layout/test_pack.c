@@ -211,7 +211,7 @@ static void normals_come_back(void **state)
     assert_true(seen.sum / (double)seen.count <= cut * mean_seen && seen.worst <= cut * worst_seen);
 }
 
-/* The axes, the singular direction and its neighbours: numbers, of unit length. */
+/* The axes, the singular direction and its neighbors: numbers, of unit length. */
 static void hard_normals_come_back(void **state)
 {
     Fixture *f = *state;

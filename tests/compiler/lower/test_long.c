@@ -85,7 +85,7 @@ static const Ir *compile_long(Document *d, Session *session)
     return ir;
 }
 
-/* The greatest difference to the oracle that its neighbourhood does not explain. */
+/* The greatest difference to the oracle that its neighborhood does not explain. */
 static double worst_of(Document *d, int level, const Point *points, const Hull *hulls, int count)
 {
     Arena arena = {0};

@@ -92,7 +92,7 @@ static void open_map(Test *t)
     }
 }
 
-/* The value at a part of the way to the neighbours. */
+/* The value at a part of the way to the neighbors. */
 static double value_at(Test *t, Aa aa, const Footprint *f, double right, double up)
 {
     double inputs[INPUT_COUNT][4] = {{0}}, result[MAX_OUTPUTS][4];

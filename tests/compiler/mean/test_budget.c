@@ -14,7 +14,7 @@
 #include <string.h>
 
 static const double free_cost = 200, most_growth = 1.1, most_growth_of_plane = 2;
-/* Lowered within a tenth as all are; without means the optimiser leaves less of their slopes. */
+/* Lowered within a tenth as all are; without means the optimizer leaves less of their slopes. */
 static const double most_growth_of_moved = 1.12;
 /* Pictures go through the sampler whatever that costs, and most cost less so than by texels. One in
  * a bump scales its footprint and compares it with a texel: 4 and 6 operations beside the 30 of its
@@ -56,7 +56,7 @@ static int cost_of_lowered(Ir *ir)
 /* How many times the operations of points means may take: a tenth more, or what is free. */
 static double growth_of(int mean, int plain) { return mean / fmax(plain, free_cost); }
 
-/* As lowering measures: before the optimiser, at -O1 whatever is asked for, without means and with
+/* As lowering measures: before the optimizer, at -O1 whatever is asked for, without means and with
  * those that fit. */
 static double lowered_growth(Document *d, const Node *material, Pass pass)
 {

@@ -43,7 +43,7 @@ static double level_at(const Mipmaps *m, int level, const double u[2], int compo
     return mipmaps_bilinear(m, level, (x + .5) / scale - .5, (y + .5) / scale - .5, component);
 }
 
-/* With `texels: centre` each level's texels stand in the middle of their squares, as samplers of
+/* With `texels: center` each level's texels stand in the middle of their squares, as samplers of
  * OpenGL have them. */
 static double middle_at(const Mipmaps *m, int level, const double u[2], int component)
 {
@@ -246,7 +246,7 @@ static double most_of_normal(const Look *look, double texels)
     return texels <= 1 && !sampled ? 1e-6 : .006;
 }
 
-/* By default the sampler does all: with the footprint of the neighbouring pixels, or in a choice of
+/* By default the sampler does all: with the footprint of the neighboring pixels, or in a choice of
  * costly maps with one that it is told. Below a texel its weights have eight bits. */
 static void samplers_show_pictures(void **state)
 {

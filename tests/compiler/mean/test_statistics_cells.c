@@ -157,7 +157,7 @@ static void none_is_beyond_reach(void **state)
         }
 }
 
-/* Random numbers of neighbours, and a cell's number and its place, know nothing of each other. */
+/* Random numbers of neighbors, and a cell's number and its place, know nothing of each other. */
 static void numbers_are_independent(void **state)
 {
     enum { ALONG = 200 };

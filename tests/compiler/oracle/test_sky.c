@@ -231,7 +231,7 @@ static const Vector views[] = {
 };
 static const Vector suns[] = {{0, 1, .4}, {0, 0, 1}, {1, 1, 1}, {-1, .2, .1}, {3, 4, .7}};
 
-/* The colour of every direction over the zenith's: the model alone, without the scale. */
+/* The color of every direction over the zenith's: the model alone, without the scale. */
 static void test_shape(void **state)
 {
     (void)state;

@@ -88,7 +88,7 @@ static void a_seed_is_a_document(void **state)
     }
 }
 
-/* Fails where any two neighbours sum to 100 or more. */
+/* Fails where any two neighbors sum to 100 or more. */
 static bool has_pair(void *user, const uint32_t *script, int count)
 {
     (void)user;

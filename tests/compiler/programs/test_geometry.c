@@ -119,7 +119,7 @@ static void draw_views(Rig *rig, const Way *way, int views, float *pictures)
     close_drawn(&d);
 }
 
-/* Pixels of the background all of whose neighbours show the body. */
+/* Pixels of the background all of whose neighbors show the body. */
 static int holes(const float *picture, int *within)
 {
     int count = 0;

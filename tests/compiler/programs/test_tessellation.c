@@ -73,7 +73,7 @@ static bool shown(const Rig *rig, int x, int y)
     return rig->color[0][y * SIDE + x][0] != rig_cleared;
 }
 
-/* Pixels of the background all of whose neighbours show the body. */
+/* Pixels of the background all of whose neighbors show the body. */
 static int holes(const Rig *rig, int *within)
 {
     int count = 0;

@@ -83,7 +83,7 @@ static void write_ball(const char *path)
     assert_int_equal(fclose(file), 0);
 }
 
-/* A sphere, the renderer's and a file's, from four places. A rasteriser, which rounds corners,
+/* A sphere, the renderer's and a file's, from four places. A rasterizer, which rounds corners,
  * shows its inside at a pixel of its rim now and then; the first place is one of these, of the mesh
  * the second. */
 static void no_inside_at_a_rim(void **unused)
@@ -173,7 +173,7 @@ static void boxes_at_the_planes(void **unused)
                                 .near = 2};
     const CullBox box = {{-1, -1, -1}, {1, 1, 1}};
     static const struct {
-        double x, y, z; /* of the centre, from the eye: to the right, ahead, up */
+        double x, y, z; /* of the center, from the eye: to the right, ahead, up */
         bool seen;
     } cases[] = {{0, 10, 0, true},       {0, -10, 0, false},     {0, .99, 0, false},
                  {0, 1.01, 0, true},     {23.01, 10, 0, false},  {22.99, 10, 0, true},

@@ -70,7 +70,7 @@ static bool meets(const double corners[3][3], int axis, const double place[2], d
     return sign * areas[0] > 0 && sign * areas[1] > 0 && sign * areas[2] > 0;
 }
 
-/* How often a voxel is full, of lines that pass its middle as closely as a rasteriser may put it
+/* How often a voxel is full, of lines that pass its middle as closely as a rasterizer may put it
  * elsewhere: 1/256 of a pixel to each side, and a depth. */
 enum { LINES = 5, DEPTHS = 2, TRIES = LINES * DEPTHS };
 typedef struct {

@@ -150,7 +150,7 @@ typedef struct {
     const double *numbers;
 } Grained;
 
-/* With light that goes on within: of a colour, over what comes in and leaves. */
+/* With light that goes on within: of a color, over what comes in and leaves. */
 static double lobe_of(const Grained *of, double color)
 {
     const double rough = of->rough, *cosines = of->cosines, *numbers = of->numbers;

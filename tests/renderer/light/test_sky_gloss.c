@@ -27,7 +27,7 @@ static double texel(const ReferencePicture *picture, int x, int y, int component
     return (double)picture->rgba[4 * (row * picture->width + column) + component];
 }
 
-/* semantics.md 5.3 says where a direction is on the sky; texels have their colours in their
+/* semantics.md 5.3 says where a direction is on the sky; texels have their colors in their
  * middles. */
 static void picture_light(const void *sky, const double way[3], double rgb[3])
 {

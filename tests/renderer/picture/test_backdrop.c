@@ -24,7 +24,7 @@ static double encode(double c)
     return c <= .0031308 ? 12.92 * c : 1.055 * pow(c, 1 / 2.4) - .055;
 }
 
-/* Grey tiles of 16 pixels where nothing is; none on an object, black as it is. */
+/* Gray tiles of 16 pixels where nothing is; none on an object, black as it is. */
 static void tiles(void **state)
 {
     (void)state;

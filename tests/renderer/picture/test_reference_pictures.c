@@ -24,7 +24,7 @@ typedef struct {
 #define STEP (1 / 255.)
 /* Cycles computes in floats. POV-Ray's files have 16 bits, and a reference is made of sixteen of
  * them (light_picture of by_povray.py), a sum of what is within 1e-6. The layout `integer` has
- * diffuse colours within 7.6e-6. llvmpipe decodes sRGB by a polynomial, within 9e-4. What is round
+ * diffuse colors within 7.6e-6. llvmpipe decodes sRGB by a polynomial, within 9e-4. What is round
  * is round for POV-Ray, and has 192 corners for us: highlights are off most. Panes let through what
  * ten bits of `integer` do not hold: half a step of these is 4.9e-4. Half shadows of 25 maps are
  * approximate: 9e-4. */

@@ -163,8 +163,8 @@ static void rays(void **state)
 /* -- a shadow's end */
 
 /* Light from above onto a box whose edge is 1: the map is fitted to it, 2 (filter + 2) texels
- * wider. The shadow ends at the outermost centre of a texel that the box covers, or, stretched,
- * where that centre is taken to be. */
+ * wider. The shadow ends at the outermost center of a texel that the box covers, or, stretched,
+ * where that center is taken to be. */
 static double end_of_shadow(bool stretched)
 {
     const double half = .5 * (1 + 6.0 / SIZE);

@@ -55,7 +55,7 @@ static const char text[] =
     "objects:\n- { object: Sphere, material: m }\n";
 
 /* Light goes along (1, 0, -1): a point (x, z) and one of the floor at x + z are in one line with
- * it. Texels' centres are `texel` apart there, and the first one behind the riser's foot is at
+ * it. Texels' centers are `texel` apart there, and the first one behind the riser's foot is at
  * `gap`. There the map has the riser's back, at the height gap; one before, the floor's lower side,
  * at x = 1 + gap - texel. The volume's wall goes from the one to the other, and meets the floor in
  * between. */

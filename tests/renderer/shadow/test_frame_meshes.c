@@ -7,7 +7,7 @@
 #include <string.h>
 
 /* Bounds are half again of what llvmpipe draws; exact shadows are off by pixels whose points a
- * rasteriser and a ray have on other triangles, and where the dragon has holes: what looks away
+ * rasterizer and a ray have on other triangles, and where the dragon has holes: what looks away
  * from the light there is taken to be dark. */
 enum { PIXELS = 768 }; /* of 320 a dozen wrong ones would be the figure */
 typedef struct {

@@ -29,7 +29,7 @@ typedef struct {
     double lean;       /* of the ground's normals, in degrees, along y */
 } Case;
 
-/* Centres of texels are at 83.5, 84.5, ... from the middle. */
+/* Centers of texels are at 83.5, 84.5, ... from the middle. */
 static const Case cases[] = {
     {"one edge", {{.9, 83.8, 0}}, 83.8, 0, 0},
     {"two edges on a segment, the upper one farther", {{.9, 84.2, 0}, {.4, 83.7, 0}}, 84.2, 0, 0},

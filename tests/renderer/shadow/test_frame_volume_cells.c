@@ -100,7 +100,7 @@ static void ends_are_near(void **state)
 
 /* A roof that is .98 radians steep, with a sheet .08 below it that it covers, and a beam over both,
  * whose sides cross segments of a texel each: beyond the beam's end the roof's own surface goes on
- * by its slope. As high as at the centre beyond, it would be up to .39 too low, and the sheet
+ * by its slope. As high as at the center beyond, it would be up to .39 too low, and the sheet
  * lit. */
 #define ROOF                                                                                       \
     "image: { width: 96, height: 64 }\nmaterials: { m: { material: Phong, diffuse: .5 } }\n"       \

@@ -53,7 +53,7 @@ static void close_scene(Drawn *d)
 }
 
 /* The map is fitted to the box, 2 (filter + 2) texels wider; the volume ends at the outermost
- * centre that the box covers. */
+ * center that the box covers. */
 static double end_of_volume(void)
 {
     const double half = .5 * (1 + 6.0 / SIZE);
