@@ -143,7 +143,7 @@ static void check_halves(Fixture *f, Gbuffer *g)
     }
 }
 
-/* Which of the layout's cases was drawn. */
+/* Returns the layout's case that was drawn. */
 static int drawn_case(Gbuffer *g)
 {
     static GLuint words[POINT_COUNT][4];

@@ -18,7 +18,7 @@ static const float far = 100;
 static const float tip = 1e-6f;
 static const double value_bound = 1e-12, slope_bound = 1e-6;
 
-/* In [-2, 2): five components that fill a box evenly, by powers of the root of x^6 = x + 1. */
+/* Low-discrepancy numbers in [-2, 2): five components, by powers of the root of x^6 = x + 1. */
 static double spread(int index, int component)
 {
     return 4 * fmod((index + 1) * pow(1.1347241384015194, -(component + 1)), 1) - 2;

@@ -166,8 +166,8 @@ static double mean_of_samples(Test *t, const Footprint *f)
     return sum / (SIDE * SIDE);
 }
 
-/* Where the next border lies, in parts of the way; borders are at the multiples of a part of the
- * period. */
+/* Position of the next border, as a fraction of the way; borders are at multiples of a part of
+ * the period. */
 static double next_border(double from, double middle, double edge, double part)
 {
     const double beyond = 1e-9;

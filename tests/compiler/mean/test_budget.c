@@ -56,7 +56,7 @@ static int cost_of_lowered(Ir *ir)
 /* How many times the operations of points means may take: a tenth more, or what is free. */
 static double growth_of(int mean, int plain) { return mean / fmax(plain, free_cost); }
 
-/* As lowering measures: before the optimizer, at -O1 whatever is asked for, without means and with
+/* Measures as lowering does: before the optimizer, at -O1 for any level, without means and with
  * those that fit. */
 static double lowered_growth(Document *d, const Node *material, Pass pass)
 {
@@ -292,7 +292,7 @@ static long visits_of(Document *d, int material, const char *aa)
     return visits;
 }
 
-/* With all means there are; *maps is how many maps those are of. */
+/* Counts visits with all means; *maps is the number of averaged maps. */
 static long visits_of_means(Document *d, int material, size_t *maps)
 {
     Lower l;
