@@ -1,5 +1,6 @@
-# What libmatc needs at its linking, as the target matc::private. The build and the installed package both include this: there
-# the static library brings it along, the shared one has it inside. matc_missing: what was not found.
+# Link dependencies of libmatc, as the target matc::private. Included by the build and by the
+# installed package: the static library passes them on to its user, the shared one contains them.
+# matc_missing: what was not found.
 set(matc_missing)
 find_package(PkgConfig QUIET)
 if(PKG_CONFIG_FOUND)
@@ -16,7 +17,8 @@ if(NOT OPENEXR_CORE)
   list(APPEND matc_missing "OpenEXRCore (of OpenEXR 3.1 or later)")
 endif()
 
-# Debian's glslang.pc names neither SPIR-V nor the resource limits; its CMake package wants SPIRV-Tools' development files.
+# Debian's glslang.pc omits SPIR-V and the resource limits; its CMake package requires
+# SPIRV-Tools' development files.
 set(matc_glslang)
 set(matc_glslang_names)
 foreach(name glslang-default-resource-limits glslang SPIRV MachineIndependent GenericCodeGen OGLCompiler OSDependent

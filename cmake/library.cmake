@@ -1,6 +1,6 @@
-# libmatc.a and libmatc.so, of which only what matc.h declares can be seen. In the archive too: the objects are one there, and
-# its other functions local, so that an engine may have an arena_alloc of its own.
-# BUILD_SHARED_LIBS makes one of the two; where it is not set, both are made, and matc::matc is the archive.
+# libmatc.a and libmatc.so, which export only what matc.h declares. The archive too: it holds one
+# joined object whose other functions are local, so that an engine may define its own arena_alloc.
+# BUILD_SHARED_LIBS selects one of the two; if unset, both are made, and matc::matc is the archive.
 set(MATC_KINDS static shared)
 if(DEFINED BUILD_SHARED_LIBS AND BUILD_SHARED_LIBS)
   set(MATC_KINDS shared)

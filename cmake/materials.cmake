@@ -1,19 +1,20 @@
 # Materials in a CMake project, compiled by one run of matc:
 #
 #   matc_add_materials(TARGET name SOURCES file.yaml...
-#     [LAYOUT name|file|auto]      the G-buffer's; matc's default
-#     [CASES used|all]             of the layout, what the unpacking text reads; those that the materials write
-#     [PASSES gbuffer shadow...]   gbuffer
-#     [EMIT glsl vertex...]        glsl, vertex, unpack and reflect
-#     [TARGET_GLSL glsl330]        what is written
+#     [LAYOUT name|file|auto]      layout of the G-buffer; default: matc's
+#     [CASES used|all]             cases of the layout that the unpacking code reads; default: those
+#                                  that the materials write
+#     [PASSES gbuffer shadow...]   default: gbuffer
+#     [EMIT glsl vertex...]        default: glsl, vertex, unpack and reflect
+#     [TARGET_GLSL glsl330]        GLSL version
 #     [CONSTANTS auto|uniform|baked]
-#     [OUTPUT folder]              the target's name; below the current binary folder
+#     [OUTPUT folder]              default: the target's name; in the current binary folder
 #     [CACHE folder]               shared by builds
-#     [OPTIONS option...])         any others of matc, such as -j 4 or --precision=exact
+#     [OPTIONS option...])         further options of matc, such as -j 4 or --precision=exact
 #
-# The target is built with `all`. Its properties MATC_OUTPUT and MATC_MANIFEST name the folder and the manifest.json in it. The
-# run is repeated when a source, a file that one includes, a picture, the layout's file, matc itself or an argument changes;
-# files whose contents stay keep their times.
+# The target is built with `all`. Its properties MATC_OUTPUT and MATC_MANIFEST name the folder and
+# the manifest.json in it. matc runs when a source, an included file, a picture, the layout file,
+# matc itself or an argument changes; files with unchanged contents keep their times.
 cmake_policy(PUSH)
 cmake_policy(VERSION 3.20...3.25) # depfiles, for ninja and make
 
@@ -71,7 +72,8 @@ function(matc_add_materials)
     list(APPEND inputs "${full}")
   endforeach()
 
-  # The sources are listed in a file: a command line may not hold thousands. It is written when it changes only.
+  # The sources are listed in a file, because a command line cannot hold thousands. The file is
+  # written only when it changes.
   set(work ${CMAKE_CURRENT_BINARY_DIR}/${target}.matc)
   list(JOIN inputs "\n" listed)
   file(GENERATE OUTPUT ${work}/sources.txt CONTENT "${listed}\n")
@@ -100,7 +102,8 @@ function(matc_add_materials)
     endif()
   endforeach()
 
-  # The manifest keeps its time where nothing in it changes, so that what depends on it is left alone; the stamp does not.
+  # An unchanged manifest keeps its time, so that its dependents are not rebuilt; the stamp is
+  # always updated.
   list(LENGTH materials_SOURCES count)
   add_custom_command(OUTPUT ${work}/stamp BYPRODUCTS ${output}/manifest.json
     COMMAND matc::compiler -d "${output}" ${arguments} ${materials_OPTIONS} -MD -MF ${work}/depfile -MT ${work}/stamp

@@ -1,5 +1,5 @@
-# libmatc_render.so: the renderer, with all of libmatc in it, of which only what matc.h and matc_render.h declare can be seen. Shared alone: a
-# static one would hand assimp and glslang on to its host.
+# libmatc_render.so: the renderer together with all of libmatc, exporting only what matc.h and
+# matc_render.h declare. Only shared: a static library would pass assimp and glslang on to its host.
 configure_file(runtime/renderer/matc_render.h ${MATC_PUBLIC}/matc_render.h COPYONLY)
 set_target_properties(matc_gl matc_texts matc_scene matc_render PROPERTIES POSITION_INDEPENDENT_CODE ON C_VISIBILITY_PRESET hidden)
 target_include_directories(matc_render PRIVATE ${MATC_PUBLIC})

@@ -1,11 +1,13 @@
-# The tests. run.c compares with the goldens, every test_<name>.c in a folder of tests/ is a program, and scripts are named below. Each runs from the
-# project's root; status 77 says that something it needs is not installed, and ctest lists it as skipped at its end.
+# The tests. run.c compares with the goldens, every test_<name>.c in a folder of tests/ is a
+# program, and scripts are named below. Each runs from the project's root; status 77 means that a
+# needed package is not installed, and ctest lists the test as skipped at its end.
 pkg_check_modules(CMOCKA REQUIRED IMPORTED_TARGET cmocka)
 pkg_check_modules(MPFR REQUIRED IMPORTED_TARGET mpfr)
 find_library(EMBREE embree3 REQUIRED) # traces the rays of tests/frame_reference/reference_ray.c
 
-# Mesa leaks a little for every context, fontconfig keeps its tables. A fault of arithmetic traps: handle_sigill says where.
-# What was freed waits in 16 MB, not 256, and pages are kept: to have them from the system anew took a fourth of what draws.
+# leaks.txt suppresses small leaks of Mesa for every context, and fontconfig's tables. An arithmetic
+# fault traps: handle_sigill prints where. The quarantine of freed memory is 16 MB instead of 256,
+# and pages are kept: requesting them from the system took a fourth of the time of drawing tests.
 set(LEAKS "ASAN_OPTIONS=detect_leaks=1:handle_sigill=1:quarantine_size_mb=16:allocator_release_to_os_interval_ms=-1;LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/leaks.txt:print_suppressions=0")
 # matc_test(name command...)
 function(matc_test name)
@@ -13,8 +15,8 @@ function(matc_test name)
   set_tests_properties(${name} PROPERTIES SKIP_RETURN_CODE 77 ENVIRONMENT "${LEAKS}")
 endfunction()
 
-# What both builds would show alike is run once where both are at hand, and by the sanitizers: ./setup test under CI. What these leave out
-# or take in part, and what takes no time, is run by both.
+# Tests with equal results in both builds run only in the sanitized build if both exist: ./setup
+# test under CI. Tests that the sanitized build omits or thins out, and quick tests, run in both.
 option(MATC_TESTS_ONCE "Leaves out tests that the sanitized build runs in full" OFF)
 set(SANITIZED FALSE)
 if(CMAKE_C_FLAGS MATCHES "sanitize")
@@ -95,8 +97,9 @@ function(matc_test_needs program name)
     add_dependencies(${program} strike matc)
   endif()
 endfunction()
-# To link two hundred programs takes a minute of a processor; one of many takes a second: tests/joined NAME ARGUMENTS... There are two, as those
-# that do not draw begin sooner without the renderer's libraries.
+# Linking two hundred programs takes a minute of CPU time; a joined one takes a second:
+# tests/joined NAME ARGUMENTS... There are two, because tests that do not draw start faster without
+# the renderer's libraries.
 option(MATC_TESTS_JOINED "Makes two programs of most tests, for who runs all of them" OFF)
 set(JOINED joined joined_frame)
 if(MATC_TESTS_JOINED)
@@ -143,8 +146,9 @@ if(NOT MATC_TESTS_ONCE)
   matc_test(test_gl_texture_egl ${PROGRAM_test_gl_texture} egl)
 endif()
 
-# The stages that read ops.def, with the operation added that its head adds: it takes a row, and no other file. Those that do not read
-# it are as before also where they look into its tables: ir.h declares these without a length.
+# Rebuilds the stages that read ops.def with the operation that the file's head explains: a new
+# operation needs a row and no other file. Other stages are reused, even if they access its tables,
+# because ir.h declares these without a length.
 set(ADDED ${PROJECT_BINARY_DIR}/operation/grammar/ops.def)
 add_custom_command(OUTPUT ${ADDED} COMMAND sh -c "mkdir -p operation/grammar && awk -f $1 $2 >$3" - ${PROJECT_SOURCE_DIR}/tests/operation/add.awk
     ${PROJECT_SOURCE_DIR}/grammar/ops.def ${ADDED} WORKING_DIRECTORY ${PROJECT_BINARY_DIR}
@@ -171,7 +175,8 @@ foreach(name principled anisotropy area film diffuse)
   set_target_properties(fit_${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
 endforeach()
 
-# LeakSanitizer crashes itself on the thread-local storage of some hundred contexts that have come and gone; without it, it finds no less.
+# LeakSanitizer crashes on the thread-local storage of hundreds of closed contexts; without
+# scanning it, it finds as many leaks.
 foreach(name test_mended test_gl_egl)
   if(TEST ${name})
     set_tests_properties(${name} PROPERTIES ENVIRONMENT "${LEAKS}:use_tls=0")
@@ -231,12 +236,14 @@ if(NOT SANITIZED) # a program without sanitizers cannot link to a library with t
   endforeach()
 endif()
 
-# The same in every build: what the sources are, what SPIR-V is, figures in docs/, a second judge of what is for WebGL 2 (ctest -L browser)
+# Tests with equal results in every build: checks of the sources, of SPIR-V, of figures in docs/,
+# and the browser as a second judge of WebGL 2 programs (ctest -L browser)
 if(NOT SANITIZED)
   matc_test(functions matbench functions)
   matc_test(instructions matbench instructions) # against shaders by hand
   matc_test(matbench sh tests/tool/matbench.sh $<TARGET_FILE:matbench>)
-  matc_test(depfile sh tests/tool/depfile.sh $<TARGET_FILE:matc>) # of depfiles alone; matc writes some under sanitizers in command_line.sh
+  # Tests only depfiles; command_line.sh writes some under sanitizers.
+  matc_test(depfile sh tests/tool/depfile.sh $<TARGET_FILE:matc>)
   matc_test(view sh tests/viewer/view.sh $<TARGET_FILE:matview>)
   matc_test(out_of_memory sh tests/tool/out_of_memory.sh $<TARGET_FILE:matc> $<TARGET_FILE:failing_malloc>)
   matc_test(root sh tests/tool/root.sh $<TARGET_FILE:matc> $<TARGET_FILE:matview>)
@@ -248,7 +255,8 @@ if(NOT SANITIZED)
   matc_test(format sh tests/sources/format.sh)
   matc_test(words sh tests/words.sh)
   matc_test(tidy sh tests/sources/tidy.sh ${PROJECT_BINARY_DIR})
-  matc_test(mutants sh tests/mutants/run.sh --check) # that none is stale; tests/README.md says how to run them
+  # Checks for stale rows; tests/README.md explains how to run the mutants.
+  matc_test(mutants sh tests/mutants/run.sh --check)
   matc_test(test_valid_spirv ${PROGRAM_test_valid} spirv)
   matc_test(pages sh tests/docs/pages.sh $<TARGET_FILE:matc> $<TARGET_FILE:matview>)
   matc_test(pictured sh tests/docs/pictured.sh $<TARGET_FILE:matc> ${PROJECT_BINARY_DIR}/reference)

@@ -1,8 +1,8 @@
-/* A table with a row for each function that a public header declares. A function without a row
- * fails.
+/* A table with one row per function that a public header declares; a function without a row
+ * fails the test.
  *
- *     static const ApiRow rows[] = {{"matc_read", wrong_read}, ...};
- *     api_rows_run("compiler/matc.h", rows, sizeof rows / sizeof *rows); */
+ *   static const ApiRow rows[] = {{"matc_read", wrong_read}, ...};
+ *   api_rows_run("compiler/matc.h", rows, sizeof rows / sizeof *rows); */
 #ifndef API_ROWS_H
 #define API_ROWS_H
 #include <stdio.h>
@@ -11,12 +11,12 @@
 
 typedef struct {
     const char *name;
-    void (*ask)(void); /* calls the function with every kind of wrong argument */
+    void (*ask)(void); /* Calls the function with every kind of wrong argument. */
 } ApiRow;
 
 enum { API_NAME = 64 };
 
-/* A file's text, from malloc. */
+/* Reads a whole file; from malloc. */
 static char *api_text(const char *path)
 {
     enum { MOST = 1 << 18 };

@@ -1,6 +1,7 @@
-/* Light of radiance 1 from a parallelogram on a point, in double, for tests: Arvo's double axis
- * moments (Irradiance Tensors, SIGGRAPH 1995) by their recurrences over whole exponents; and, for
- * any exponent, sums over ever smaller triangles, which know nothing of arcs. */
+/* Reference for area lights, in double: the light of a parallelogram of radiance 1 at a point.
+ * Integer exponents use Arvo's double axis moments (Irradiance Tensors, SIGGRAPH 1995) by
+ * recurrence. Any exponent can use adaptive quadrature over triangles of the light, which shares
+ * no formula with the moments. */
 #ifndef MATC_AREA_REFERENCE_H
 #define MATC_AREA_REFERENCE_H
 #include <math.h>
@@ -8,12 +9,12 @@
 #include <string.h>
 
 #define AREA_PI 3.14159265358979323846
-enum { AREA_MAX = 12 /* corners */ };
+enum { AREA_MAX = 12 /* max corners after clipping */ };
 
 typedef struct {
-    double corner[3], u[3], v[3]; /* seen from the point, which is the origin */
+    double corner[3], u[3], v[3]; /* corner and edges, relative to the lit point */
     bool both_sides;
-    double normal[3], w[3]; /* of the point's surface; the lobe's axis; unit length */
+    double normal[3], w[3]; /* the lit surface's normal; the lobe's axis; unit length */
     double exponent;
 } AreaCase;
 
@@ -33,7 +34,7 @@ static void area_cross(const double a[3], const double b[3], double out[3])
         out[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
 }
 
-/* Its length, which becomes 1. */
+/* Normalizes v and returns its former length. */
 static double area_normalize(double v[3])
 {
     const double length = sqrt(area_dot(v, v));
@@ -42,7 +43,8 @@ static double area_normalize(double v[3])
     return length;
 }
 
-/* Clockwise as the point sees it; empty behind a light of one side. */
+/* The visible part of the light, clockwise as seen from the point; empty behind a one-sided
+ * light. */
 static AreaPolygon area_seen(const AreaCase *c)
 {
     AreaPolygon polygon = {.count = 4};
@@ -78,8 +80,8 @@ static AreaPolygon area_clip(const AreaPolygon *polygon, const double normal[3])
     return left;
 }
 
-/* An arc between neighbours: the inward normal of its plane; with s from the point nearest to w,
- * w.u is cosine * cos s. */
+/* An arc between adjacent corners on the unit sphere: the inward normal of its plane. With s the
+ * angle from the arc's point nearest to w, w.u is cosine * cos s. */
 typedef struct {
     double m[3], angle, cosine, off, s[2];
 } AreaArc;
@@ -124,14 +126,15 @@ static double area_solid_angle(const AreaPolygon *p)
     return sum;
 }
 
-/* The integral of (cosine cos s)^k over the arc for k = first, first + 2, ... last, as a sum (k <
- * last) and the last one. Integration by parts: C(k) = [cos^(k-1) sin] / k + (k-1) / k C(k-2). */
+/* Integrals of (cosine cos s)^k over the arc for k = first, first + 2, ... last: returns the sum
+ * for k < last, and the integral for `last` separately. Integration by parts: C(k) = [cos^(k-1)
+ * sin] / k + (k-1) / k C(k-2). */
 static void area_powers(const AreaArc *arc, int first, int last, double *sum, double *top)
 {
     const double c[2] = {cos(arc->s[0]), cos(arc->s[1])}, s[2] = {sin(arc->s[0]), sin(arc->s[1])};
     const double square = arc->cosine * arc->cosine;
     double integral = first ? s[1] - s[0] : arc->angle, scale = first ? arc->cosine : 1;
-    /* cos^(k-1) of the next k */
+    /* cos^(k-1) of the next k, at both ends */
     double power[2] = {first ? c[0] * c[0] : c[0], first ? c[1] * c[1] : c[1]};
     *sum = 0;
     for (int k = first; k < last; k += 2) {
@@ -144,14 +147,15 @@ static void area_powers(const AreaArc *arc, int first, int last, double *sum, do
     *top = integral * scale;
 }
 
-/* The integral of (w.u)^k (n.u) over pi, k whole and above 0. */
+/* The integral of (w.u)^k (n.u) over the light, divided by pi; k an integer above 0. */
 static double area_moment(const AreaCase *c)
 {
     const int k = (int)c->exponent;
     const AreaPolygon seen = area_seen(c), above = area_clip(&seen, c->normal),
                       left = area_clip(&above, c->w);
     double axial = k % 2 ? area_solid_angle(&left) : 0,
-           cosine = 0; /* k times the moment of k - 1; what the arcs' normals give */
+           /* k times the moment of order k - 1; the contribution of the arcs' normals */
+        cosine = 0;
     for (int i = 0; i < left.count; i++) {
         AreaArc arc;
         double sum, top;
@@ -164,7 +168,7 @@ static double area_moment(const AreaCase *c)
     return left.count ? (area_dot(c->w, c->normal) * axial + cosine) / (k + 2) / AREA_PI : 0;
 }
 
-/* Lambert's formula: the integral of the cosine over pi. */
+/* Lambert's formula: the integral of the cosine over the light, divided by pi. */
 static double area_lambert(const AreaCase *c)
 {
     const AreaPolygon seen = area_seen(c), above = area_clip(&seen, c->normal);
@@ -177,7 +181,8 @@ static double area_lambert(const AreaCase *c)
     return sum / (2 * AREA_PI);
 }
 
-/* Weight of a direction's light, by a place on the light and the light's normal times an area. */
+/* Weight of a point of the light: the solid angle per area, for the light's normal times an area
+ * element. */
 static double area_density(const AreaCase *c, const double p[3], const double face[3])
 {
     const double square = area_dot(p, p), length = sqrt(square);
@@ -187,7 +192,7 @@ static double area_density(const AreaCase *c, const double p[3], const double fa
            (c->exponent > 0 ? pow(along, c->exponent) : 1);
 }
 
-/* Three points of a triangle: exact for squares. */
+/* Three-point quadrature of a triangle, exact for quadratic polynomials. */
 static double area_rule(const AreaCase *c, const double t[3][3])
 {
     double e[2][3], face[3], sum = 0;
@@ -226,7 +231,8 @@ static double area_triangle(const AreaCase *c, const double t[3][3], double whol
     return sum;
 }
 
-/* Either integral over pi (of the cosine: exponent 0), by triangles of the light. */
+/* The integral of the lobe, divided by pi (exponent 0: of the cosine), by adaptive quadrature
+ * over triangles of the light. */
 static double area_integral(const AreaCase *c)
 {
     const AreaPolygon seen = area_seen(c), above = area_clip(&seen, c->normal);

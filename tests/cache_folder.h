@@ -1,5 +1,4 @@
-/* A folder for a cache of a test, and what lies in it: entries by their keys, what it says of
- * itself. */
+/* A cache folder for a test, and access to its content: entries by key, and its statistics. */
 #ifndef TESTS_CACHE_FOLDER_H
 #define TESTS_CACHE_FOLDER_H
 #include "compiler/tool/cache.h"
@@ -9,11 +8,11 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { HEADER = 40, PATH_CAPACITY = 256 }; /* bytes of an entry before its own */
+enum { HEADER = 40, PATH_CAPACITY = 256 }; /* bytes of an entry's header */
 
 typedef struct {
-    char root[PATH_CAPACITY / 2]; /* made for the test, removed after it */
-    char path[PATH_CAPACITY];     /* of the GPU scene, below it */
+    char root[PATH_CAPACITY / 2]; /* created for the test, removed after it */
+    char path[PATH_CAPACITY];     /* of the cache, in `root` */
 } Folder;
 
 static inline int make_folder(void **state)
@@ -50,7 +49,7 @@ static inline Key key_of(uint64_t n)
     return (Key){n * 0x9E3779B97F4A7C15u, ~n * 0xD1B54A32D192ED03u};
 }
 
-/* A number of the statistics; -1 if there is no such line. */
+/* Returns a number of the cache's statistics, or -1 if the line is absent. */
 static inline long statistic(const Folder *folder, const char *name)
 {
     char *text = cache_statistics(folder->path);
@@ -61,7 +60,7 @@ static inline long statistic(const Folder *folder, const char *name)
     return value;
 }
 
-/* The file of a key. */
+/* Path of a key's entry. */
 static inline const char *entry_path(const Folder *folder, Key key)
 {
     static char path[2 * PATH_CAPACITY];
@@ -97,7 +96,7 @@ static inline void assert_miss(Cache *cache, Key key)
     assert_null(cache_get(cache, key, &size));
 }
 
-/* A blob for tests in which its content matters. */
+/* A blob for tests that check its content. */
 static const char blob[] = "void main() { gl_FragColor = vec4(1.0); }";
 
 /* Setup and teardown of a test, whose state is a Folder. */

@@ -1,4 +1,5 @@
-# What the scripts that run matc share; read by them with `.`, from the project's root. $work is their folder.
+# Functions shared by the scripts that run matc; sourced with `.` from the project's root. $work is
+# their temporary folder.
 passed=0
 failed=0
 skipped=0 # 77: a part was not tried, which is said

@@ -1,5 +1,4 @@
-/* Documents of a test, by the library: read, compiled without glslang, with every check of the
- * IR. */
+/* Compiles a test's documents through the library: without glslang, with every check of the IR. */
 #ifndef TESTS_COMPILE_TEXT_H
 #define TESTS_COMPILE_TEXT_H
 #include "compiler/matc.h"

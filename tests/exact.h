@@ -1,5 +1,5 @@
 /* Arithmetic of 200 bits by MPFR, for formulas written as expressions: every result is a new
- * number, all of which exact_forget() gives back. And documents' values by the oracle, to compare
+ * number, and exact_forget() frees them all. Also the oracle's values of documents, to compare
  * with. */
 #ifndef MATC_EXACT_H
 #define MATC_EXACT_H
@@ -14,7 +14,7 @@ enum { EXACT_BITS = 200, EXACT_CAPACITY = 1 << 18 };
 
 typedef mpfr_ptr R;
 
-/* All numbers there are; a test is one thread. */
+/* All allocated numbers; a test has one thread. */
 typedef struct {
     mpfr_t at[EXACT_CAPACITY];
     int made, used;
@@ -152,7 +152,7 @@ static inline void read_values(Read *r, const Surface *surface, SlotValues *valu
     oracle_material(r->oracle, r->graph->materials[0].node, surface, values);
 }
 
-/* The oracle's double is the exact number, but for `bound` of max(1, |number|). */
+/* Checks that the oracle's double equals the exact number within bound * max(1, |number|). */
 static inline void agrees(const char *what, double got, R want, double bound)
 {
     double error = fabs(value(less(num(got), want))) / fmax(1, fabs(value(want)));

@@ -1,6 +1,6 @@
-/* OpenEXR files of known texels, above 1 and below 0 too. Those without compression are written
- * byte by byte, by the specification of their layout and with nothing of a library's; those with
- * one, and tiles, by OpenEXR's own writer. */
+/* OpenEXR files of known texels, above 1 and below 0 too. Uncompressed files are written byte by
+ * byte, by the specification and without a library; compressed and tiled files by OpenEXR's own
+ * writer. */
 #ifndef TESTS_EXR_FILE_H
 #define TESTS_EXR_FILE_H
 #include "tests/picture.h"
@@ -9,9 +9,9 @@
 
 enum { UINT = 0, HALF = 1, FLOAT = 2, MAX_CHANNELS = 5, UNCOMPRESSED = 0, B44 = 6, MAX_SIDE = 48 };
 
-/* Windows as (least x, least y, greatest x, greatest y), y downwards. A type of `types` for each
- * letter of `channels`, which ascend; the last one has a sample in every `sampling` columns of
- * every `sampling` lines, 0: in all. */
+/* Windows are (min x, min y, max x, max y), y down. `channels` has one letter per channel in
+ * ascending order, and `types` a type for each; the last channel has a sample in every
+ * `sampling`-th column and line; 0: in all. */
 typedef struct {
     int data[4], display[4];
     const char *channels;
@@ -19,8 +19,8 @@ typedef struct {
     int compression, sampling, tile;
 } ExrHeader;
 
-/* A channel's number at a place of the file: a multiple of 1/8 below 256 either way, so that a half
- * holds it. */
+/* A channel's value at a pixel of the file: a multiple of 1/8 in (-256, 256), so that a half
+ * float holds it exactly. */
 static inline double exr_number(char channel, int x, int y)
 {
     return (channel == 'A'   ? 4
@@ -35,7 +35,8 @@ static inline void exr_put_int(PictureFile *file, int64_t number, int bytes)
         picture_put(file, &(uint8_t){(uint8_t)(number >> 8 * i)}, 1);
 }
 
-/* Half float of a number that has one: sign, exponent over -15, ten bits above the power of two. */
+/* Converts an exactly representable number to a half float: sign, exponent above -15, ten bits
+ * of mantissa. */
 static inline uint16_t exr_half(double number)
 {
     int exponent;
@@ -85,7 +86,7 @@ static inline void exr_put_channels(PictureFile *file, const ExrHeader *h)
         picture_put(file, &h->channels[i], 1);
         exr_put_int(file, 0, 1);
         exr_put_int(file, h->types[i], 4);
-        exr_put_int(file, 0, 4); /* not linear to the eye; reserved */
+        exr_put_int(file, 0, 4); /* not perceptually linear; reserved bytes */
         exr_put_int(file, step_of(h, i), 4);
         exr_put_int(file, step_of(h, i), 4);
     }
@@ -96,7 +97,7 @@ static inline void exr_put_header(PictureFile *file, const ExrHeader *h)
 {
     file->size = 0;
     exr_put_int(file, 20000630, 4);
-    exr_put_int(file, 2, 4); /* the version; lines, one part */
+    exr_put_int(file, 2, 4); /* version 2; scan lines, single part */
     exr_put_channels(file, h);
     exr_put_attribute(file, "compression", "compression", 1);
     exr_put_int(file, h->compression, 1);
@@ -113,7 +114,7 @@ static inline void exr_put_header(PictureFile *file, const ExrHeader *h)
     exr_put_int(file, 0, 1);
 }
 
-/* A line, with all of its first channel, then of its second. */
+/* Writes a scan line: all samples of its first channel, then of its second. */
 static inline void exr_put_line(PictureFile *file, const ExrHeader *h, int y)
 {
     for (int i = 0; h->channels[i]; i++)
@@ -122,7 +123,7 @@ static inline void exr_put_line(PictureFile *file, const ExrHeader *h, int y)
                 exr_put_sample(file, h->types[i], exr_number(h->channels[i], x, y));
 }
 
-/* Where each line is, then the lines. */
+/* Writes the table of line offsets, then the lines. */
 static inline void exr_put_file(PictureFile *file, const ExrHeader *h)
 {
     static PictureFile lines;
@@ -142,7 +143,7 @@ static inline void exr_put_file(PictureFile *file, const ExrHeader *h)
     picture_put(file, lines.bytes, lines.size);
 }
 
-/* Expected texel of the picture, by the names of channels. */
+/* Expected component of the picture's texel, by the channels' names. */
 static inline float exr_wanted(const ExrHeader *h, int component, int x, int y)
 {
     const bool is_grey = strchr(h->channels, 'Y') && !strpbrk(h->channels, "RGB");
@@ -181,7 +182,7 @@ static inline int64_t write_to(exr_const_context_t exr, void *user, const void *
     return (int64_t)size;
 }
 
-/* One block of lines or one tile, with its first texel at (x, y). */
+/* Writes one block of lines or one tile whose first texel is (x, y). */
 static inline void write_chunk(exr_context_t exr, const ExrHeader *h, const exr_chunk_info_t *info,
                                const int at[2])
 {

@@ -1,18 +1,18 @@
-/* Meaning of the words of formulas, from the mathematics, in long double: for test_expression.c. It
- * uses nothing of matc. */
+/* Meaning of the names and operators of formulas, from mathematics, in long double: for
+ * test_expression.c. Uses no code of matc. */
 #ifndef MATC_FORMULA_RULES_H
 #define MATC_FORMULA_RULES_H
 #include <math.h>
 #include <stdbool.h>
 
 typedef long double Number;
-/* A rule of the tree: the text's form, its level of binding, its parts' widths ('g': its own), its
- * result's, its components. */
+/* A rule of the tree generator: the form of the text, its precedence, the widths of its parts
+ * ('g': equal to the rule's own), the width of its result, its components. */
 typedef struct Rule {
-    const char *form; /* a name, or an operator between its parts */
-    int level;        /* of an operator; 0: a call */
+    const char *form; /* a function's name, or an operator between its parts */
+    int level;        /* precedence of an operator; 0: a call */
     const char *parts;
-    int width; /* 0: condition, -1: that of its 'g' parts */
+    int width; /* 0: a condition, -1: the width of the 'g' parts */
     Number (*component)(const Number *x);
     void (*whole)(const Number x[5][4], int components, Number *result);
 } Rule;
@@ -65,8 +65,9 @@ RULE_COMPONENT(tangent, tanl(x[0]))
 RULE_COMPONENT(arc_sine, asinl(cut(x[0], -1, 1)))
 RULE_COMPONENT(arc_cosine, acosl(cut(x[0], -1, 1)))
 RULE_COMPONENT(arc_tangent, atanl(x[0]))
-/* Where no two ways of computing can agree: an angle behind the origin, where a zero has two sides;
- * fractions of what has none. */
+/* Set if the value depends on the sign of a rounding error, so that evaluators may differ: an
+ * angle on the negative axis, where zero has two signs; the fraction of a number without
+ * fractional digits. */
 static bool rule_unsure;
 static Number unsure(bool is, Number value)
 {
@@ -154,7 +155,7 @@ RULE_WHOLE(turned)
     const Number c = cosl(x[1][0]), s = sinl(x[1][0]);
     (void)components, ROWS(c * x[0][0] - s * x[0][1], s * x[0][0] + c * x[0][1], 0, 0);
 }
-/* By sixths of the hue, as textbooks have it. */
+/* By sixths of the hue, the textbook formula. */
 RULE_WHOLE(from_hsv)
 {
     const Number h = unsure(fabsl(x[0][0]) > 1e9L, 6 * (x[0][0] - floorl(x[0][0]))), s = x[0][1],
@@ -188,7 +189,7 @@ RULE_WHOLE(four) { (void)components, ROWS(x[0][0], x[0][1], x[0][2], x[1][0]); }
 RULE_WHOLE(backward) { (void)components, ROWS(x[0][2], x[0][1], x[0][0], 0); }
 RULE_WHOLE(second) { (void)components, r[0] = x[0][1]; }
 
-enum { CONDITION = 0 }; /* a width */
+enum { CONDITION = 0 }; /* a width: marks a condition */
 enum { OR = 1, AND, COMPARE, SUM, PRODUCT, PREFIX, POWER, CHOOSE = -1, POSTFIX = 99 };
 static const Rule rules[] = {
     {"||", OR, "bb", 0, any, 0},

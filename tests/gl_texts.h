@@ -1,5 +1,5 @@
-/* Helpers of the tests of the GL layer: a context in software, programs in every language that it
- * takes, their uniforms. */
+/* Helpers of the GL layer's tests: a software context, programs in every GLSL version that the
+ * context accepts, and their uniforms. */
 #ifndef TESTS_GL_TEXTS_H
 #define TESTS_GL_TEXTS_H
 #include "runtime/gl/context.h"
@@ -16,7 +16,7 @@ static inline GlContext *open_context(bool core)
     return gl;
 }
 
-/* EGL may not be there: a test by it alone then ends with this status. */
+/* Exit status of a test that needs EGL if EGL is missing. */
 enum { SKIPPED = 77 };
 
 static inline bool has_egl(void)
@@ -30,7 +30,7 @@ static inline bool has_egl(void)
     return there;
 }
 
-/* A vertex and a fragment text that write two targets: `value` and its double. */
+/* A vertex and a fragment shader that write two targets: `value` and its double. */
 typedef struct {
     bool core;
     const char *vertex, *fragment;
@@ -64,7 +64,7 @@ static const Language languages[] = {
      "= 2. * value; }"},
 };
 
-/* Sets a uniform of the current program; false: it has none such. */
+/* Sets a uniform of the current program; false if the program lacks it. */
 static inline bool set(GlContext *gl, GLuint program, const char *name, const float *values)
 {
     GlUniforms uniforms;

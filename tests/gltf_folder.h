@@ -1,4 +1,4 @@
-/* A folder of glTF files for a test, and the corners that their meshes have. */
+/* A folder of glTF files for a test, and the expected corners of their meshes. */
 #ifndef TESTS_GLTF_FOLDER_H
 #define TESTS_GLTF_FOLDER_H
 #include "tests/scene_text.h"
@@ -22,7 +22,7 @@ static inline void write_file(const char *name, const void *bytes, size_t size)
     assert_int_equal(fclose(file), 0);
 }
 
-/* Three triangles of one material after another: the second, the first, none. */
+/* Three triangles of different materials: the second, the first, none. */
 static const struct {
     float positions[9][3];
 } corners = {{{0, 0, 0},

@@ -1,5 +1,5 @@
-/* Small resolved documents, made by hand: nodes with the defaults of the tables, and setters for
- * what differs. A Builder owns all it makes. */
+/* Small resolved documents made by hand: nodes with the tables' defaults, and setters for other
+ * values. A Builder owns all that it makes. */
 #ifndef MATC_GRAPH_BUILDER_H
 #define MATC_GRAPH_BUILDER_H
 #include "compiler/graph/graph.h"
@@ -10,7 +10,7 @@
 enum { BUILDER_BLOCKS = 512 };
 
 typedef struct {
-    Graph graph; /* only its node_count is kept up */
+    Graph graph; /* only node_count is maintained */
     void *blocks[BUILDER_BLOCKS];
     int block_count;
 } Builder;
@@ -46,7 +46,7 @@ static inline Value *build_param(const Node *node, int param)
     return (Value *)node_param(node, param);
 }
 
-/* Nodes without their parameters' defaults. */
+/* Makes a node without its parameters' defaults. */
 static inline Node *build_bare(Builder *b, Kind kind)
 {
     Node *node = build_alloc(b, sizeof *node);

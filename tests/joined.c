@@ -1,6 +1,6 @@
-/* Most tests as one program (cmake -DMATC_TESTS_JOINED=ON): joined NAME ARGUMENTS... runs the main
- * of NAME.c, which is called NAME_main here. JOINED_TESTS, a file that cmake writes, has a row for
- * each: TEST(name, void) or TEST(name, ARGUMENTS), by what its main takes. */
+/* Most tests as one program (cmake -DMATC_TESTS_JOINED=ON): joined NAME ARGUMENTS... runs the
+ * main of NAME.c, which is called NAME_main here. JOINED_TESTS, a file that cmake writes, has a
+ * row for each test: TEST(name, void) or TEST(name, ARGUMENTS), by the parameters of its main. */
 #include <stdio.h>
 #include <string.h>
 
@@ -9,7 +9,7 @@
 #include JOINED_TESTS
 #undef TEST
 
-/* Only one of the two is set. */
+/* Exactly one of the two is set. */
 typedef struct Test {
     const char *name;
     int (*plain)(void);

@@ -1,4 +1,4 @@
-/* Documents, what their materials can be, and the layout for them. */
+/* Documents, the possible values of their materials, and the layout made for them. */
 #ifndef TESTS_LAYOUT_SET_H
 #define TESTS_LAYOUT_SET_H
 #include "compiler/document.h"

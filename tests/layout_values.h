@@ -1,5 +1,4 @@
-/* Documents of a Phong that says every slot, with sets of values: plain, hostile and random
- * ones. */
+/* Documents of a Phong with every slot, and sets of slot values: plain, hostile and random ones. */
 #ifndef TESTS_LAYOUT_VALUES_H
 #define TESTS_LAYOUT_VALUES_H
 #include "tests/value/documents.h"
@@ -11,7 +10,7 @@
 
 enum { SETS = 16, FIRST_RANDOM = 8 };
 
-/* Every slot of a Phong, by components: in this order of the document below. */
+/* Every slot of a Phong and its number of components, in the order of the document below. */
 static const struct {
     const char *key;
     int components;
@@ -27,8 +26,8 @@ static inline double random_number(uint64_t *seed)
     return (double)(*seed >> 11) * 0x1p-53;
 }
 
-/* Sets of values: plain ones, hostile ones, then random ones in [0, 1], of which emissive is up to
- * thousands. */
+/* Makes a set of values: the first set plain, then hostile ones, then random ones in [0, 1],
+ * with emissive up to thousands. */
 static inline void make_values(uint64_t *seed, int set, double values[PARAMS][4])
 {
     static const double hostile[] = {0,     1,     -1,   2,      1e6,   -1e6,     65504,
@@ -43,13 +42,13 @@ static inline void make_values(uint64_t *seed, int set, double values[PARAMS][4]
                 set >= FIRST_RANDOM ? (bright ? exp(24 * r - 12) : r) : hostile[(int)(r * HOSTILE)];
             if (set == 0)
                 values[i][component] = component == 3;
-            if (component == 3) /* alpha: a huge one leaves nothing of the transparency's digits */
+            if (component == 3) /* alpha: a huge alpha would leave no digits of the transparency */
                 values[i][component] = set % 2 ? r : 1;
             values[i][component] = (float)values[i][component];
         }
 }
 
-/* Slots that a document lacks. */
+/* Which slots the document omits. */
 typedef enum { ALL, OPAQUE, CLEAR, GLOW, KEPT_COUNT } Kept;
 
 static inline bool leaves_out(Kept kept, const char *key)
@@ -67,7 +66,8 @@ static inline void write_document(char *text, size_t capacity, double values[PAR
     int size = snprintf(text, capacity, "material: Phong\n");
     for (int i = 0; i < PARAMS; i++) {
         int components =
-            i == 0 && kept == OPAQUE ? 3 : params[i].components; /* alpha makes transparent */
+            /* alpha makes the diffuse color transparent */
+            i == 0 && kept == OPAQUE ? 3 : params[i].components;
         if (leaves_out(kept, params[i].key))
             continue;
         size += snprintf(text + size, capacity - (size_t)size,
@@ -83,7 +83,7 @@ static inline void write_document(char *text, size_t capacity, double values[PAR
     }
 }
 
-/* The document in a file of its own, as documents are opened by path. */
+/* Writes the document to a file, because documents are opened by path. */
 static inline void open_values(Document *d, double values[PARAMS][4], bool uniforms, Kept kept)
 {
     char path[] = "/tmp/matc-layout-XXXXXX.yaml", text[8192];

@@ -1,15 +1,16 @@
-/* Properties of any lobe, checked at pixels that a program drew: reciprocity, and a white furnace.
- * */
+/* Properties that every lobe must have, checked at pixels that a program drew: reciprocity, and
+ * a white furnace. */
 #ifndef MATC_LOBE_CLAIMS_H
 #define MATC_LOBE_CLAIMS_H
 #include <math.h>
 
 #define LOBE_PI 3.14159265358979323846
 
-enum { LOBE_RINGS = 96, LOBE_TURNS = 64 }; /* of the visible facets that albedos are summed over */
+/* grid of visible microfacet normals that albedos are summed over */
+enum { LOBE_RINGS = 96, LOBE_TURNS = 64 };
 
-/* GLSL: of a picture of 20 x 20 pixels, a roughness by row, a cosine of at least 0.1 by column, a
- * direction, and numbers in [0, 1) that vary from pixel to pixel. */
+/* GLSL for a picture of 20 x 20 pixels: a roughness by row, a cosine of at least 0.1 by column,
+ * a direction, and numbers in [0, 1) that vary from pixel to pixel. */
 #define LOBE_PIXELS                                                                                \
     "const float SIDE = 20.0;\n"                                                                   \
     "float roughOf(ivec2 p) { return 0.0316227766 + 0.9683772 * float(p.y) / (SIDE - 1.0); }\n"    \
@@ -18,7 +19,7 @@ enum { LOBE_RINGS = 96, LOBE_TURNS = 64 }; /* of the visible facets that albedos
     "return vec3(s * cos(turn), s * sin(turn), cosine); }\n"                                       \
     "float varied(ivec2 p, float step) { return fract(0.5 + step * float(p.x + 20 * p.y)); }\n"
 
-/* GLSL: a facet of GGX that is seen from v (Heitz 2018), by two numbers in [0, 1). */
+/* GLSL: samples a GGX normal visible from v (Heitz 2018), by two numbers in [0, 1). */
 #define LOBE_MICROFACET                                                                            \
     "vec3 facet(vec3 v, float a, vec2 u) {\n"                                                      \
     "    vec3 w = normalize(vec3(a * v.xy, v.z)), t = w.z < 0.9999 ? normalize(vec3(-w.y, w.x, "   \
@@ -29,7 +30,7 @@ enum { LOBE_RINGS = 96, LOBE_TURNS = 64 }; /* of the visible facets that albedos
     "    vec3 n = x * t + y * s + sqrt(max(1.0 - x * x - y * y, 0.0)) * w;\n"                      \
     "    return normalize(vec3(a * n.xy, max(n.z, 1e-6)));\n}\n"
 
-/* GLSL: how densely those facets send light along l, times pi. */
+/* GLSL: the density of light direction l under that sampling, times pi. */
 #define LOBE_SEEN                                                                                  \
     "float seen(vec3 v, vec3 l, float a) {\n"                                                      \
     "    vec3 h = normalize(v + l), c = cross(vec3(0.0, 0.0, 1.0), h);\n"                          \
@@ -37,8 +38,8 @@ enum { LOBE_RINGS = 96, LOBE_TURNS = 64 }; /* of the visible facets that albedos
     "a) * v.z * v.z));\n"                                                                          \
     "    return g * a * a / (d * d * 4.0 * v.z);\n}\n"
 
-/* Albedos of GGX with Smith's masking by height, by visible facets: 1 - E, and what Schlick's (1 -
- * cosine)^5 has of E. */
+/* Directional albedos of GGX with height-correlated Smith masking, by sampling visible normals:
+ * 1 - E, and the albedo of Schlick's term (1 - cosine)^5 relative to E. */
 static inline void lobe_albedo(double cosine, double alpha, double found[2])
 {
     enum { RINGS = LOBE_RINGS, TURNS = LOBE_TURNS };
@@ -59,7 +60,7 @@ static inline void lobe_albedo(double cosine, double alpha, double found[2])
         if (l <= 0 || facing <= 0)
             continue;
         const double light = sqrt(alpha * alpha + (1 - alpha * alpha) * l * l);
-        /* G2 over what is visible */
+        /* G2 / G1: the weight of a sampled visible normal */
         const double share = l * (cosine + eye) / (cosine * light + l * eye);
         all += share;
         fresnel += share * pow(1 - facing, 5);
@@ -68,7 +69,7 @@ static inline void lobe_albedo(double cosine, double alpha, double found[2])
     found[1] = fresnel / (RINGS * TURNS);
 }
 
-/* Means over all directions, 2 cosine d cosine. */
+/* Cosine-weighted means over all directions: 2 cosine d cosine. */
 static inline void lobe_mean(double alpha, double found[2])
 {
     enum { STEPS = 24 };
@@ -82,7 +83,8 @@ static inline void lobe_mean(double alpha, double found[2])
     }
 }
 
-/* Three components of a pixel are by how much both ways differ, of their sum. */
+/* Checks reciprocity: the first three components of a pixel are the difference of both
+ * directions relative to their sum. */
 static inline void lobe_changes_places(float (*reported)[4], int count)
 {
     double worst = 0;
@@ -93,7 +95,7 @@ static inline void lobe_changes_places(float (*reported)[4], int count)
     assert_true(worst < 2e-5);
 }
 
-/* Component 0 is what comes of light 1 from all around. */
+/* Checks the white furnace: component 0 is the reflection of uniform light of radiance 1. */
 static inline void lobe_is_white_around(float (*reported)[4], int count)
 {
     double worst = 0;

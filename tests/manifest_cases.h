@@ -1,4 +1,4 @@
-/* Documents of test_manifest.c, and the manifests of batches of them, as they should be. */
+/* Documents of test_manifest.c, and the expected manifests of batches of them. */
 #ifndef TESTS_MANIFEST_CASES_H
 #define TESTS_MANIFEST_CASES_H
 #include "compiler/matc.h"
@@ -62,8 +62,8 @@ typedef struct {
     "{'name': 'diffuse_uvTransform_constant', 'type': 'vec2', 'offset': 32}]}"
 
 static const Case cases[] = {
-    /* Two materials share a program; the shadow of what is opaque is the depth program, of five
-     * uses in all. */
+    /* Two materials share a program; the shadow pass of opaque materials is the depth program,
+     * with five uses in all. */
     {{"--layout=integer", "--pass=gbuffer,shadow,depth",
       "--emit=glsl,vertex,reflect,unpack,layout"},
      {ODD, "glass.yaml"},
@@ -100,8 +100,8 @@ static const Case cases[] = {
                      "{'name': 'glass', 'source': '@/glass.yaml', 'opacity': 'transparent',"
                      "'programs': [{'pass': 'gbuffer', 'program': 2},"
                      "{'pass': 'shadow', 'program': 3}, {'pass': 'depth', 'program': 1}]}]}"},
-    /* Passes as they were asked for; none writes a layout. A varying material's shadow is a program
-     * of its own. */
+    /* Passes in the requested order; none writes a layout. A material with varying opacity has
+     * its own shadow program. */
     {{"--pass=depth,shadow"},
      {"holes.yaml", "plain.yaml"},
      HEAD("glsl330") "'programs': [{'pass': 'depth', 'fragment': 'holes.depth.frag', 'materials': "
@@ -139,7 +139,7 @@ static const Case cases[] = {
                    "'plain.vert.spv', 'materials': 1}],"
                    "'materials': [{'name': 'plain', 'source': '@/plain.yaml', 'opacity': 'opaque',"
                    "'programs': [{'pass': 'shadow', 'program': 0}]}]}"},
-    /* Tables of noise are the program's. */
+    /* Noise tables belong to the program. */
     {{"--target=glsl110", "--noise=groimp", "--pass=value"},
      {"noise.yaml"},
      HEAD(
@@ -147,7 +147,7 @@ static const Case cases[] = {
                     "'tables': ['matc_permutation', 'matc_random', 'matc_xor']}],"
                     "'materials': [{'name': 'noise', 'source': '@/noise.yaml', 'opacity': 'opaque',"
                     "'programs': [{'pass': 'value', 'program': 0}]}]}"},
-    /* A plane has the layout, of which one case is read. */
+    /* A plane has the layout; one of its cases is read. */
     {{"--pass=plane"},
      {"glass.yaml"},
      HEAD("glsl330") "'layout': {'name': 'compact', 'normals': 'eye', 'bytes': 16, 'targets': "
@@ -157,7 +157,7 @@ static const Case cases[] = {
                      "'materials': [{'name': 'glass', 'source': '@/glass.yaml', 'opacity': "
                      "'transparent',"
                      "'programs': [{'pass': 'plane', 'program': 0}]}]}"},
-    /* A texture that matc makes is the material's. */
+    /* A texture that matc makes belongs to the material. */
     {{"--textures=@/ktx", "--pass=value"},
      {"carpenter.yaml"},
      HEAD(

@@ -1,4 +1,4 @@
-/* Numbers of the C references against others. */
+/* Compares numbers of the C references with expected ones. */
 #ifndef TESTS_NEAR_H
 #define TESTS_NEAR_H
 #include "compiler/library/reference.h"
@@ -20,7 +20,7 @@ static inline void inside(double value, double low, double high)
         fail_msg("%.17g is not in [%g, %g]", value, low, high);
 }
 
-/* Uniform in [-1, 1), the same on every machine. */
+/* Uniform in [-1, 1), equal on every machine. */
 static inline double sample(void)
 {
     static uint64_t state = 1;

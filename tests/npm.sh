@@ -1,4 +1,4 @@
-# What the tests with packages from npm share; read by them with `.`, from the project's root.
+# Functions shared by tests with packages from npm; sourced with `.` from the project's root.
 
 # skip WORDS: ends the test as one that could not run
 skip() {

@@ -1,12 +1,12 @@
-/* Helpers of the oracle's tests: points, and the comparison of one channel of a map at a point with
- * a number. */
+/* Helpers of the oracle's tests: points, and comparison of a map's channel at a point with a
+ * number. */
 #ifndef MATC_ORACLE_FIXTURE_H
 #define MATC_ORACLE_FIXTURE_H
 #include "tests/graph_builder.h"
 #include "compiler/oracle/oracle.h"
 #include "tests/test.h"
 
-/* Channel ids as semantics.md names them. */
+/* Channel ids, named as in semantics.md. */
 enum {
     PX = 0,
     NX = 4,
@@ -73,7 +73,7 @@ static inline Surface at_xyz(double x, double y, double z)
     return s;
 }
 
-/* A surface on which every channel differs from every other. */
+/* A surface point whose channels all differ. */
 static inline Surface distinct(void)
 {
     Surface s = {.front = true};

@@ -1,5 +1,5 @@
-/* Picture files that a test makes in memory, so that their texels are known, and what the product
- * reads out of them. */
+/* Picture files that a test makes in memory, so that their texels are known, and their texels as
+ * the product reads them. */
 #ifndef TESTS_PICTURE_H
 #define TESTS_PICTURE_H
 #include "compiler/document.h"
@@ -23,7 +23,7 @@ static inline void picture_put(PictureFile *file, const void *bytes, size_t size
     file->size += size;
 }
 
-/* Documents name their pictures a and, where there are two files, b. */
+/* Documents name their pictures a and, if there are two files, b. */
 static const char picture_alone[] =
     "material: Phong\ndiffuse: { map: ImageMap, image: a, bilinearFiltering: false }\n";
 
@@ -49,7 +49,7 @@ static inline MatcDocument *picture_read(PictureFile *files, const char *text, b
     return matc_read("a.yaml", text, strlen(text), &options);
 }
 
-/* The document's first picture; it has texels. */
+/* The document's first picture, which must have texels. */
 static inline const Image *picture_of(const MatcDocument *document)
 {
     if (!document->graph)
@@ -57,7 +57,7 @@ static inline const Image *picture_of(const MatcDocument *document)
     return document->graph->images[0];
 }
 
-/* Content of a file: RGBA, the bottom row first; bytes, words or floats by `bits`. */
+/* Content of a file: RGBA, the bottom row first; bytes, 16-bit words or floats by `bits`. */
 typedef struct {
     int width, height, bits;
     bool opaque;
@@ -78,7 +78,7 @@ static inline void picture_check(PictureFile *file, const PictureWanted *wanted)
     matc_document_free(document);
 }
 
-/* One error, which says why. */
+/* Checks for exactly one error, whose message contains `text`. */
 static inline void picture_refused(PictureFile *files, const char *text, bool pixels,
                                    const char *why)
 {

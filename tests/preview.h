@@ -38,11 +38,11 @@ static inline Vector from_angles(double azimuth, double elevation)
     return (Vector){{cos(azimuth) * cos(elevation), sin(azimuth) * cos(elevation), sin(elevation)}};
 }
 
-/* Where the camera stands, and its axes in the world: to the right, up, towards the viewer. The
- * world's z is up. */
+/* Position and axes of the camera in the world: right, up, toward the viewer. The world's z is
+ * up. */
 typedef struct {
     Vector position, right, up, back;
-    double tangent; /* of half the angle of the shorter side */
+    double tangent; /* tangent of half the angle of the shorter side */
     int width, height;
 } View;
 
@@ -58,7 +58,7 @@ static inline View look(Vector position, Vector back, double half_angle, int wid
     return view;
 }
 
-/* Through the middle of a pixel; row 0 is the lowest. */
+/* Ray through a pixel's center; row 0 is the lowest. */
 static inline Vector ray_of(const View *view, int x, int y)
 {
     int shorter = view->width < view->height ? view->width : view->height;
@@ -68,7 +68,7 @@ static inline Vector ray_of(const View *view, int x, int y)
         added(added(scaled(view->right, right), scaled(view->up, up)), scaled(view->back, -1)));
 }
 
-/* A linear value as matview writes it. */
+/* Converts a linear value to a byte as matview does. */
 static inline double byte_of(double linear)
 {
     double c = fmin(fmax(linear, 0), 1);
@@ -82,8 +82,7 @@ typedef struct {
     unsigned char *rgb;
 } Drawn;
 
-/* The document's only material, into rgb, by a context of its own. What is said of it must be
- * nothing. */
+/* Draws the document's only material into rgb, with a separate context. Fails on any message. */
 static inline void draw_pixels(MatcDocument *document, const MaterialPictureOptions *options,
                                unsigned char *rgb)
 {
@@ -108,7 +107,7 @@ typedef struct {
     const char *text, *pass, *normals, *slot;
 } Subject;
 
-/* A sample a pixel, in its middle. */
+/* Draws with one sample per pixel, at its center. */
 static inline Drawn draw_subject(const Subject *subject, int width, int height)
 {
     const char *text = subject->text;

@@ -1,4 +1,4 @@
-/* A text through the reader alone: any value, not what a material must be. */
+/* Reads a text with the reader alone, as any value, not only as a material. */
 #ifndef MATC_READ_TEXT_H
 #define MATC_READ_TEXT_H
 #include "compiler/read/tree.h"
@@ -7,10 +7,10 @@ typedef struct {
     Arena arena;
     MatcOptions options;
     Session session;
-    Tree *tree; /* NULL: refused */
+    Tree *tree; /* NULL: the text was refused */
 } ReadText;
 
-/* The text has a zero behind it, as every source has. */
+/* Reads a text, which must be followed by a zero byte like every source. */
 static inline void read_text(ReadText *r, const char *name, const char *text, size_t size)
 {
     *r = (ReadText){0};

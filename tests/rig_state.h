@@ -1,4 +1,4 @@
-/* A Rig for a test's state, whose faults are the test's, and scenes that are drawn by it. */
+/* A Rig as a test's state, and scenes drawn by it; a failure ends the test. */
 #ifndef TESTS_RIG_STATE_H
 #define TESTS_RIG_STATE_H
 #include "tests/draw/rig.h"
@@ -44,11 +44,10 @@ static inline SlotValues values_at(const Scene *scene, const Surface *surface)
     return values;
 }
 
-/* A material's first own attribute: its values are those of the position's x, in the same
- * vertices. */
+/* Feeds the material's first own attribute with the x component of the vertices' positions. */
 static inline void feed_attribute(const GlContext *gl, const Mesh *mesh)
 {
-    enum { FIRST_OWN = 11 }; /* language.md */
+    enum { FIRST_OWN = 11 }; /* first location of own attributes: language.md */
     gl->BindVertexArray(mesh->array);
     gl->BindBuffer(GL_ARRAY_BUFFER, mesh->buffers[0]);
     gl->EnableVertexAttribArray(FIRST_OWN);
@@ -56,6 +55,6 @@ static inline void feed_attribute(const GlContext *gl, const Mesh *mesh)
                             (const void *)offsetof(ShapeVertex, position));
 }
 
-/* of a pixel, in clip space */
+/* Center of a pixel, in clip space. */
 static inline double middle(int index) { return 2 * (index + 0.5) / SIDE - 1; }
 #endif

@@ -1,5 +1,5 @@
-/* Results of a pass of the optimizer on expressions, against results worked out by hand; before and
- * after are evaluated, too. */
+/* Results of an optimizer pass on expressions, against results worked out by hand; both versions
+ * are also evaluated and compared. */
 #ifndef TESTS_RULE_CASE_H
 #define TESTS_RULE_CASE_H
 #include "compiler/ir/fold.h"
@@ -9,12 +9,13 @@
 #include <math.h>
 #include <string.h>
 
-/* Result for an expression; NULL: it stays as it is. */
+/* Expected result for an expression; NULL: unchanged. */
 typedef struct {
     const char *text, *becomes;
 } RuleCase;
 
-/* An IR in which the leaves stand already, x the youngest: commutative operands go by age. */
+/* Makes an IR that already contains the leaves, x the youngest: commutative operands are ordered
+ * by age. */
 static inline Ir *rule_open(Site *s)
 {
     static const char *const leaves[] = {"front", "u", "w", "v", "z", "y", "x"};
@@ -24,7 +25,7 @@ static inline Ir *rule_open(Site *s)
     return s->ir;
 }
 
-/* The numbers of which points are made: with their borders, and both signs. */
+/* Number of coordinates that points are made of: border values and both signs. */
 enum { RULE_POINTS = 40 };
 
 static inline void rule_point(int number, double inputs[INPUT_COUNT][4])
@@ -39,8 +40,7 @@ static inline void rule_point(int number, double inputs[INPUT_COUNT][4])
     inputs[INPUT_front][0] = number % 2;
 }
 
-/* Wherever the first has a number, the second has the same; what they differ by beyond that is a
- * rounding. */
+/* Checks that wherever the original is finite, the result is equal up to rounding. */
 static inline void rule_check_values(const char *text, const Ir *before, const Ir *after)
 {
     const ReferenceContext context = {.noise = before->noise};
@@ -94,7 +94,7 @@ static inline bool rule_check(const RuleCase *c, bool (*pass)(Ir *ir), bool as_m
     return good;
 }
 
-/* The number of cases that fail. */
+/* Returns the number of failing cases. */
 static inline int rule_check_all(const RuleCase *cases, size_t count, bool (*pass)(Ir *ir),
                                  bool as_made)
 {

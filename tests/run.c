@@ -1,10 +1,11 @@
-/* The golden runner. For every document in examples/: tests/golden/<name>.ir and .frag, and .json
- * for those in no folder below; and for what displaces, .comp, its compute program; for
- * examples/layouts/: the page of the layout, .txt, and both sides of it; for every document or
- * layout in tests/errors/: the diagnostics beside it, <name>.err; for every
- * tests/ir/<pass>-<case>.ir: what that pass makes of it, beside it, .out. `run FOLDER` compares;
- * `run FOLDER --update` rewrites what differs and lists it: read the difference before you commit
- * it. Under CI it does not update. */
+/* The golden runner. Compares output with files that are stored:
+ *   for every document in examples/       tests/golden/<name>.ir and .frag; .json unless in a
+ *                                         subfolder; .comp, its compute program, if it displaces
+ *   for every file in examples/layouts/   the layout's page, .txt, and GLSL to pack and unpack it
+ *   for every file in tests/errors/       its diagnostics, <name>.err next to it
+ *   for every tests/ir/<pass>-<case>.ir   the pass' result, .out next to it
+ * `run FOLDER` compares; `run FOLDER --update` rewrites files that differ and lists them: read the
+ * difference before you commit it. Under CI it does not update. */
 #include "compiler/matc.h"
 #include "compiler/opt/opt.h"
 #include "compiler/base/output.h"
@@ -35,7 +36,7 @@ static bool has_suffix(const char *path, const char *suffix)
 static int remember(const char *path, const struct stat *info, int type, struct FTW *where)
 {
     (void)info, (void)where;
-    if (strstr(path, "examples/engine/")) /* built by a test of its own */
+    if (strstr(path, "examples/engine/")) /* built by a separate test */
         return 0;
     bool wanted =
         has_suffix(path, ".yaml") || has_suffix(path, ".json") || strstr(path, "tests/ir/");
@@ -109,7 +110,7 @@ static void run_material(Run *run, const MatcDocument *document, const char *nam
     char path[LONGEST_PATH];
     MatcOptions options;
     matc_options_init(&options);
-    options.validate = false; /* test_valid does, for every target */
+    options.validate = false; /* test_valid validates for every target */
     options.check = true;
     MatcProgram *program =
         matc_compile(document, material, MATC_FRAGMENT | MATC_IR | MATC_REFLECT, &options);
@@ -130,7 +131,7 @@ static void run_material(Run *run, const MatcDocument *document, const char *nam
     matc_program_free(program);
 }
 
-/* A displacing material: its compute program, and its reflection. */
+/* Compares a displacing material's compute program and its reflection. */
 static void run_compute(Run *run, const MatcDocument *document, const char *name)
 {
     char path[LONGEST_PATH];
@@ -172,7 +173,7 @@ static MatcLayout *open_layout(const char *name)
     return layout;
 }
 
-/* The page of a layout, and how it is read back. */
+/* Compares a layout's page and its unpacking GLSL. */
 static void run_layout(Run *run, const char *name)
 {
     static const char material[] = "material: Phong\nspecular: 0.1\nshininess: 0.6\n";
@@ -210,8 +211,8 @@ static void run_layout_error(Run *run, const char *name)
     matc_layout_free(layout);
 }
 
-/* Examples are right, so there must be no warnings; but those of channels and conversions show
- * corner cases, some of which have warnings: these are goldens, .err. */
+/* Examples must compile without warnings; those of channels and conversions are corner cases,
+ * whose warnings are goldens, .err. */
 static void check_silence(Run *run, MatcDocument *document, const char *name)
 {
     char path[LONGEST_PATH];
@@ -245,7 +246,7 @@ static void run_example(Run *run, const char *name)
     matc_document_free(document);
 }
 
-/* All that is said of a faulty document, of its reading and of its compilation. */
+/* Compares all messages about a faulty document, from reading and from compiling. */
 static void run_error(Run *run, const char *name)
 {
     char path[LONGEST_PATH], *text = NULL;
@@ -280,7 +281,7 @@ static const struct {
               {"polish", opt_polish}, {"dead", opt_dead},       {"function", opt_function},
               {"centre", opt_centre}, {"group", opt_group}};
 
-/* One pass on text IR; then the text again, and the check. */
+/* Runs one pass on an IR text; then compares the text of the result, and checks the IR. */
 static void run_pass(Run *run, const char *name)
 {
     char path[LONGEST_PATH];
@@ -331,7 +332,7 @@ int main(int argc, char **argv)
     find_documents("tests/ir");
     for (int i = 0; i < found_count; i++)
         run_pass(&run, found[i]);
-    find_documents("/nonexistent"); /* gives the list back */
+    find_documents("/nonexistent"); /* frees the list */
     printf("%d passed, %d failed\n", run.passed, run.failed);
     if (run.updated)
         printf("%d updated: read the difference\n", run.updated);

@@ -1,7 +1,7 @@
-/* The sanitizers look for faults of memory and of arithmetic, which a few points find as well as
- * many: there a test takes every SANITIZED_STEP-th, and of ways to compile and draw one thing every
- * SANITIZED_SHARE-th. That all values agree is shown by the build without them: a test that
- * includes this header is run by both (cmake/tests.cmake). */
+/* Thinning of cases under sanitizers. Sanitizers look for faults of memory and arithmetic, which
+ * a few points find as well as many: there a test takes every SANITIZED_STEP-th point, and every
+ * SANITIZED_SHARE-th combination of options. The plain build compares all values; a test that
+ * includes this header is run by both builds (cmake/tests.cmake). */
 #ifndef MATC_TEST_SANITIZED_H
 #define MATC_TEST_SANITIZED_H
 #if defined(__SANITIZE_ADDRESS__)

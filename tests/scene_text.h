@@ -1,4 +1,4 @@
-/* Scenes from texts, for tests. */
+/* Reads scenes from texts, for tests. */
 #ifndef MATC_SCENE_TEXT_H
 #define MATC_SCENE_TEXT_H
 #include "runtime/scene_reader/scene_read.h"
@@ -9,18 +9,18 @@
 
 #define RED "materials: { red: { material: RGBA, r: 1 } }\n"
 
-/* The scene of a text; NULL: *document says why. */
+/* Reads the scene of a text; NULL: *document has the messages. */
 static inline Scene *read_text(const char *text, MatcDocument **document)
 {
     Scene *scene = NULL;
     MatcOptions options;
     matc_options_init(&options);
-    options.warnings = "no-no_light"; /* most texts are read and never drawn */
+    options.warnings = "no-no_light"; /* most texts are only read and never drawn */
     *document = scene_read("scene.yaml", text, strlen(text), &options, &scene);
     return scene;
 }
 
-/* A scene that has to be one. */
+/* Reads a text that must be a scene. */
 static inline Scene *read_fine(const char *text, MatcDocument **document)
 {
     Scene *scene = read_text(text, document);
@@ -31,7 +31,7 @@ static inline Scene *read_fine(const char *text, MatcDocument **document)
     return scene;
 }
 
-/* A scene that has to be one, of so many triangles that there is a warning, and no other. */
+/* Reads a text that must be a scene, with the warning about too many triangles and no other. */
 static inline Scene *read_heavy(const char *text, MatcDocument **document)
 {
     Scene *scene = read_text(text, document);
@@ -43,7 +43,7 @@ static inline Scene *read_heavy(const char *text, MatcDocument **document)
     return scene;
 }
 
-/* That a text is no scene, and what is said first; NULL: whatever it is. */
+/* Checks that a text is refused as a scene, and its first message; NULL: any message. */
 static inline void assert_fault(const char *text, const char *reported)
 {
     MatcDocument *document;

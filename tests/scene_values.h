@@ -1,15 +1,14 @@
-/* Numbers of a Scene against numbers written down; for tests. A member is compared by its name in
- * both:
+/* Compares numbers of a Scene with expected ones, for tests. A member has one name in both:
  *
- *     CHECK(half)            is->half against should_be->half
- *     CHECK_LIST(position)   each component */
+ *   CHECK(half)            is->half against should_be->half
+ *   CHECK_LIST(position)   each component */
 #ifndef TESTS_SCENE_VALUES_H
 #define TESTS_SCENE_VALUES_H
 #include "tests/scene_text.h"
 
 #define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
 #define PI           3.14159265358979324
-/* Scenes that have light, and something to be seen: they are no reason for a warning. */
+/* Gives scenes light and a visible object, so that they cause no warning. */
 #define LIT        RED "lights: [{ light: Ambient }]\n"
 #define LIT_SPHERE LIT "objects: [{ object: Sphere, material: red }]\n"
 
@@ -31,7 +30,7 @@ static inline void same_list(const double *is, const double *should_be, int coun
     same_list((const double *)is->member, (const double *)should_be->member,                       \
               (int)(sizeof is->member / sizeof(double)), #member, text)
 
-/* Fails for a kind that no row of a table has. */
+/* Fails for a kind without a row in a table. */
 static inline void all_kinds_met(SceneSort sort, const bool met[SCENE_KIND_COUNT])
 {
     for (int kind = 0; kind < SCENE_KIND_COUNT; kind++)

@@ -1,4 +1,4 @@
-/* Scenes of texts whose pictures are read whole, as the renderer takes them; for tests. */
+/* Scenes from texts with their pictures fully loaded, as the renderer needs them; for tests. */
 #include "runtime/scene_reader/scene_read.h"
 #ifndef TESTS_SCENE_WHOLE_H
 #define TESTS_SCENE_WHOLE_H
@@ -12,7 +12,7 @@ static inline MatcOptions options(void)
     return made;
 }
 
-/* A scene that has to be one. */
+/* Reads a text that must be a scene. */
 static inline Scene *read_scene(const char *text, MatcDocument **document)
 {
     const MatcOptions by = options();

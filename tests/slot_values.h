@@ -1,13 +1,13 @@
-/* Values of a document's slots by the reference, beside published numbers. */
+/* The C reference's values of a document's slots, against published numbers. */
 #ifndef TESTS_SLOT_VALUES_H
 #define TESTS_SLOT_VALUES_H
 #include "tests/test.h"
 #include "tests/compile_text.h"
 #include <math.h>
 
-static const double CLOSE = 1e-3; /* of published values */
+static const double CLOSE = 1e-3; /* tolerance of published values */
 
-/* Values by the reference, with the diagnostics of reading; `at` is a point. */
+/* The reference's values, and the messages of reading; `at` is a point. */
 static inline char *values_at(const char *text, const char *at, char **reported)
 {
     MatcOptions options = quick();
@@ -24,13 +24,13 @@ static inline char *values_at(const char *text, const char *at, char **reported)
     return result;
 }
 
-/* Components of a slot out of that text; how many there are. */
+/* Parses a slot's components out of that text; returns their number. */
 static inline int read_slot(const char *values, const char *slot, double got[3])
 {
     char line[64];
     const int length = snprintf(line, sizeof line, "\n%s ", slot);
     const char *found = strstr(values, line);
-    if (!strncmp(values, line + 1, length - 1)) /* the first has no line before it */
+    if (!strncmp(values, line + 1, length - 1)) /* the first line has no newline before it */
         return sscanf(values + length - 1, "%lf %lf %lf", &got[0], &got[1], &got[2]);
     assert_non_null(found);
     return sscanf(found + length, "%lf %lf %lf", &got[0], &got[1], &got[2]);

@@ -1,6 +1,6 @@
-/* matbench batch: how fast many materials are compiled by one process, beside glslang's own time
- * for their programs, with and without validation and from a cache; how its memory grows with their
- * number; and what a scene saves (batch_scene.c). */
+/* matbench batch: the rate at which one process compiles many materials, next to glslang's own
+ * time for their programs, with and without validation and from a cache; the growth of memory
+ * with the number of materials; and what a scene saves (batch_scene.c). */
 #include "batch.h"
 #include "batch_documents.h"
 #include "matbench.h"
@@ -23,12 +23,12 @@ typedef struct {
 typedef struct {
     Pair *at;
     int count;
-    double bytes;    /* of fragment programs */
-    atomic_int next; /* to be linked */
+    double bytes;    /* bytes of fragment programs */
+    atomic_int next; /* next pair to link */
     atomic_bool failed;
 } Pairs;
 
-/* Text of a program, by a key of the manifest; NULL: see stderr. */
+/* Text of a program, by a key of the manifest; NULL after a message on standard error. */
 static char *program_text(const BatchFolder *folder, const cJSON *program, const char *key)
 {
     const cJSON *name = cJSON_GetObjectItem(program, key);
@@ -101,11 +101,11 @@ static double cpu_now(void)
            (double)(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec) * 1e-6;
 }
 
-/* Time in which glslang alone parses and links all pairs, with so many threads. */
+/* Time for glslang alone to parse and link all pairs, with `threads` threads. */
 static BatchTimes link_all(Pairs *pairs, int threads)
 {
     pthread_t others[THREADS];
-    link_pair(&pairs->at[0]); /* the first time glslang makes its tables */
+    link_pair(&pairs->at[0]); /* the first call initializes glslang's tables */
     pairs->next = 0;
     double start = bench_now(), cpu = cpu_now();
     for (int i = 1; i < threads; i++)
@@ -131,7 +131,7 @@ static void put_times(const char *what, int count, const BatchTimes *times)
 
 typedef struct {
     const char *what;
-    const char *clear[2]; /* folders that are removed before; NULL: none */
+    const char *clear[2]; /* folders to remove first; NULL: none */
     const char *arguments[8];
 } Run;
 
@@ -168,8 +168,8 @@ static bool run_list(const BatchFolder *folder, const char *list, const Run *row
 
 static const BatchTimes untimed = {NAN, NAN, 1}, untimed_alone = {NAN, NAN, 0};
 
-/* The least of some runs: other processes only ever make it longer. Each begins as the first did.
- * Untimed: the first row alone is run, and not validated. */
+/* Minimum of several runs, because other processes only make a run longer. Each run begins in
+ * the same state. Untimed: runs only the first row, without validation. */
 static bool run(const BatchFolder *folder, const Run *row, bool timed, BatchTimes *times)
 {
     static const Run programs = {"", {"out"}, {"-j", "2", "--emit=glsl,vertex", "--no-validate"}};
@@ -190,7 +190,7 @@ static bool run(const BatchFolder *folder, const Run *row, bool timed, BatchTime
     return true;
 }
 
-/* The first run is the validated one, and glslang alone is measured next to it. */
+/* The first run validates, and glslang alone is measured next to it. */
 static bool measure_validated(const BatchFolder *folder, int count, bool timed)
 {
     BatchTimes times;
@@ -222,8 +222,8 @@ static bool measure_validated(const BatchFolder *folder, int count, bool timed)
     return fine;
 }
 
-/* Parts of a set, each a batch of its own, then all of it in both orders, share a cache: what it
- * holds then, and how fast it is. */
+/* Compiles parts of a set as separate batches, then the whole set in both orders, with one
+ * cache: measures the cache's size and speed. */
 static bool measure_cache(BatchFolder *folder, int count)
 {
     static const Run shared = {"from the cache of all these",

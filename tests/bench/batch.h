@@ -4,7 +4,7 @@
 #include "batch_run.h"
 #include "runtime/gl/context.h"
 
-/* Savings by shared programs, layouts made for a scene, and programs for each pass: a table on
- * standard output. */
+/* Measures savings by shared programs, by layouts made for a scene, and by programs for each
+ * pass: prints a table. */
 bool batch_measure_scene(BatchFolder *folder, GlKind gl, bool timed);
 #endif

@@ -1,7 +1,7 @@
-/* Materials in large numbers. The different ones are numbers in a mixed radix, a digit for each
- * choice of structure. Those of a scene are filled in from texts, a text for each family:
+/* Generates many materials. Distinct materials are numbered in a mixed radix, with one digit for
+ * each choice of structure. Materials of a scene are made from templates, one for each family:
  *     $c  a color             $d  a dark color        $n  a number in [0, 1]
- *     $p  a picture's name    $s  a scale in [1, 16]  <? ... ?>  a part that a third of them has */
+ *     $p  a picture's name    $s  a scale in [1, 16]  <? ... ?>  a part in one third of them */
 #include "batch_documents.h"
 #include <stdio.h>
 #include <string.h>
@@ -104,7 +104,7 @@ static const char *const glosses[3] = {
     "shininess: { map: Granite, input: { map: XYZTransform, transform: { scale: $s "
     "} } }\n"};
 
-/* The lowest digit of *number in that radix. */
+/* Removes and returns the lowest digit of *number in that radix. */
 static int digit(unsigned *number, unsigned radix)
 {
     unsigned lowest = *number % radix;
@@ -114,7 +114,7 @@ static int digit(unsigned *number, unsigned radix)
 
 void batch_different(int index, Text *out)
 {
-    /* shares no factor with the count, so that neighbours differ in all digits */
+    /* coprime to the count, so that consecutive materials differ in all digits */
     const unsigned stride = 87911;
     Writer w = {(unsigned)index * 2654435761u, out};
     unsigned number =
@@ -132,7 +132,7 @@ void batch_different(int index, Text *out)
     fill(&w, glosses[digit(&number, 3)]);
 }
 
-/* How often a family is met in a scene, of all weights together. */
+/* Families of a scene, and their weights. */
 static const struct {
     const char *name;
     int weight;

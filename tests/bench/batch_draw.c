@@ -1,4 +1,4 @@
-/* Programs, constants, textures and targets from a manifest. */
+/* Reads programs, constants, textures and targets from a manifest. */
 #include "batch_draw.h"
 #include "runtime/gl/message.h"
 #include <stdint.h>
@@ -71,7 +71,7 @@ static void put_member(unsigned char *block, const cJSON *member, const cJSON *v
     }
 }
 
-/* The block of std140 that the manifest describes, filled in for the material. */
+/* Fills the std140 block that the manifest describes with the material's constants. */
 static void set_block(Material *made, const cJSON *constants, const cJSON *use)
 {
     unsigned char block[LARGEST_BLOCK] = {0};
@@ -82,7 +82,7 @@ static void set_block(Material *made, const cJSON *constants, const cJSON *use)
     material_write(made, cJSON_GetObjectItem(constants, "block")->valuestring, block, sizeof block);
 }
 
-/* Sets up the sampler of that name by the reflection. */
+/* Sets up the sampler with that name by the reflection. */
 static void set_sampler(TextureSpec *spec, const cJSON *textures, const char *name)
 {
     const cJSON *texture;
@@ -96,7 +96,7 @@ static void set_sampler(TextureSpec *spec, const cJSON *textures, const char *na
     }
 }
 
-/* Every picture is a pattern of bytes: what it shows costs nothing more or less. */
+/* Every picture is a pattern of bytes, because its content does not influence the cost. */
 static bool set_textures(Material *made, const cJSON *use, const cJSON *reflection)
 {
     static const size_t size = (size_t)PICTURE_SIDE * PICTURE_SIDE * 4;
@@ -118,7 +118,7 @@ static bool set_textures(Material *made, const cJSON *use, const cJSON *reflecti
     return fine;
 }
 
-/* NULL: there is none. */
+/* NULL: missing or invalid. */
 static cJSON *read_json(const BatchOutput *output, const cJSON *name)
 {
     char *text = name ? batch_read(output->folder, output->out, name->valuestring) : NULL;

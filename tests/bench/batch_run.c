@@ -123,8 +123,8 @@ static double seconds_of(struct timeval time)
     return (double)time.tv_sec + (double)time.tv_usec * 1e-6;
 }
 
-/* Greatest resident memory of a process so far, KiB; 0 when it has ended. What wait4 tells is no
- * less than our own memory. */
+/* Peak resident memory of a process so far, KiB; 0 after it has ended. The value of wait4 would
+ * be at least our own memory. */
 static long memory_of(pid_t process)
 {
     char path[64], line[256];
@@ -139,7 +139,7 @@ static long memory_of(pid_t process)
     return memory;
 }
 
-/* Waits for a process, looking at its memory now and then. */
+/* Waits for a process, and polls its memory. */
 static bool wait_for(pid_t child, int *status, struct rusage *usage, long *memory)
 {
     struct pollfd end = {.fd = (int)syscall(SYS_pidfd_open, child, 0), .events = POLLIN};
@@ -152,7 +152,7 @@ static bool wait_for(pid_t child, int *status, struct rusage *usage, long *memor
     return wait4(child, status, 0, usage) == child;
 }
 
-/* Runs a process whose output goes to a file. */
+/* Runs a process with its output redirected to a file. */
 static bool run_process(char *const *arguments, const char *output, BatchTimes *times)
 {
     posix_spawn_file_actions_t actions;

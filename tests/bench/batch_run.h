@@ -7,26 +7,26 @@
 enum { BATCH_PATH = 1024, BATCH_ARGUMENTS = 16 };
 
 typedef struct {
-    char path[256];   /* made below TMPDIR for the run, removed after it */
-    const char *matc; /* the program */
-    size_t bytes;     /* of all documents */
+    char path[256];   /* created below TMPDIR for the run, removed after it */
+    const char *matc; /* path of matc */
+    size_t bytes;     /* bytes of all documents */
 } BatchFolder;
 
 /* Time and memory of a process. */
 typedef struct {
-    double seconds, cpu; /* wall, and of all threads */
-    long memory;         /* greatest resident, KiB; 0: it ended too soon to tell */
+    double seconds, cpu; /* wall time; CPU time of all threads */
+    long memory;         /* peak resident, KiB; 0: the process was too short */
 } BatchTimes;
 
 bool batch_folder_make(BatchFolder *folder, const char *matc);
 void batch_folder_remove(const BatchFolder *folder);
-/* Writes documents 0 to count - 1, what they need, and NAME.txt, which lists them. */
+/* Writes documents 0 to count - 1, their pictures, and NAME.txt, a list of the documents. */
 bool batch_folder_fill(BatchFolder *folder, const char *name, int count,
                        void (*write)(int index, Text *out));
-/* Writes NAME.txt, which lists some of those documents, also from the last to the first. */
+/* Writes NAME.txt, a list of some of the documents, optionally in reverse order. */
 bool batch_folder_list(const BatchFolder *folder, const char *name, int first, int end, bool back);
-/* matc -d FOLDER/out @FOLDER/list arguments..., NULL behind the last. It must succeed; else what it
- * says is shown. */
+/* Runs matc -d FOLDER/out @FOLDER/list arguments..., terminated by NULL. A failure prints matc's
+ * messages. */
 bool batch_run(const BatchFolder *folder, const char *list, const char *out,
                const char *const *arguments, BatchTimes *times);
 /* Content of FOLDER/cache. */

@@ -1,7 +1,7 @@
-/* matbench cells: what cells are replaced with where they are finer than a pixel, by integration
- * over random points and squares: the rows of grammar/cells.def, in its order.
- * tests/compiler/mean/test_statistics_cells.c holds that table against the same integrals with
- * other points. */
+/* matbench cells: computes the mean values that replace cells smaller than a pixel, by
+ * integration over random points and squares, and prints the rows of grammar/cells.def in its
+ * order. tests/compiler/mean/test_statistics_cells.c compares that table with the same integrals
+ * over other points. */
 #include "matbench.h"
 #include "compiler/library/cells.h"
 #include "compiler/library/java_random.h"
@@ -21,7 +21,7 @@ typedef struct {
 
 static double random_number(uint64_t *random) { return 2000 * (double)java_random_signed(random); }
 
-/* The mean square by which the difference of both distances changes along an axis. */
+/* Mean squared derivative of the difference of both distances along an axis. */
 static double edge_slope(const CellsPair *pair, const CellsQuestion *q)
 {
     double sum = 0;
@@ -39,7 +39,7 @@ static double edge_slope(const CellsPair *pair, const CellsQuestion *q)
     return sum;
 }
 
-/* Where the point lies counts by one component, whose mean is 0. */
+/* The point's position in the cell counts by one component, with mean 0. */
 static void values_of(const CellsPair *pair, double value[MEASURES])
 {
     const double all[MEASURES] = {pair->first.distance, pair->second.distance,
@@ -73,8 +73,8 @@ static Moments moments_of(CellsQuestion q)
     return m;
 }
 
-/* By which factor the value in the middle of a square predicts the mean over it, by least
- * squares. */
+/* Least-squares factor by which the value at a square's center predicts the mean over the
+ * square. */
 static void factors_of(CellsQuestion q, const Moments *m, double width, double factor[MEASURES])
 {
     uint64_t random = java_random(7);
@@ -105,8 +105,9 @@ static void factors_of(CellsQuestion q, const Moments *m, double width, double f
         factor[n] = both[n] / square[n];
 }
 
-/* 1 / (1 + b x + c x^2) through the factors of both widths, x = w^2, or w of what jumps. It must
- * fall: where c would be less than 0, it is 0, and b that of the greater width. */
+/* Fits 1 / (1 + b x + c x^2) to the factors of both widths, x = w^2, or w for a discontinuous
+ * measure. The fit must decrease: if c would be below 0, c is 0, and b that of the greater
+ * width. */
 static void fit(const double factor[WIDTHS], const double width[WIDTHS], bool jumps, double bend[2])
 {
     double x[WIDTHS], rise[WIDTHS];

@@ -1,6 +1,6 @@
-/* matbench compile: how long each stage takes (median of many runs in one process), how the time of
- * the processor grows with the document, how long a process takes, and what share of all that is
- * glslang's. */
+/* matbench compile: the time of each compiler stage (median of many runs in one process), the
+ * growth of CPU time with the size of the document, the time of a whole process, and glslang's
+ * share in all of these. */
 #include "matbench.h"
 #include "compiler/matc.h"
 #include "compiler/pipeline.h"
@@ -19,8 +19,8 @@ enum { RUNS = 301, LADDER_RUNS = 31, PROCESS_RUNS = 41, MAX_STAGES = 64 };
 
 extern char **environ;
 
-/* The material of peers.md, section 2: a checker of two colours, mixed to white by four octaves of
- * noise. */
+/* The material of peers.md, section 2: a checker of two colors, mixed to white by four octaves
+ * of noise. */
 static const char peers_document[] =
     "material: Phong\n"
     "diffuse:\n"
@@ -44,7 +44,7 @@ static MatcOptions options_for(bool validate)
     return options;
 }
 
-/* Time of the processor, on which other programs have little effect. */
+/* CPU time, hardly affected by other programs. */
 static double processor_now(void)
 {
     struct timespec time;
@@ -52,7 +52,7 @@ static double processor_now(void)
     return (double)time.tv_sec + (double)time.tv_nsec * 1e-9;
 }
 
-/* Seconds of one whole compilation, memory given back included. */
+/* Seconds of one whole compilation, including the release of memory. */
 static double compile_once(const char *text, size_t size, const MatcOptions *options)
 {
     double start = processor_now();
@@ -134,7 +134,7 @@ static const char *largest_formula(void)
     return formulas[sizeof formulas / sizeof *formulas - 1];
 }
 
-/* Cost of a formula in a document, compared with a number in its place. */
+/* Cost of a formula in a document, compared with a number in the formula's place. */
 static void print_formula(bool timed)
 {
     char with[1024];
@@ -174,7 +174,7 @@ static char *ladder_document(int nodes, size_t *size)
     return text;
 }
 
-/* As it is by default, and with --aa=none, which lowers a document once
+/* With the default options, and with --aa=none, which lowers a document only once
  * (compiler/lower/budget.c). */
 static void print_ladder(bool timed)
 {
@@ -200,7 +200,7 @@ static void print_ladder(bool timed)
     }
 }
 
-/* The least time that a process takes of the processor; it must succeed. -1 if it does not. */
+/* Minimum CPU time of a process, which must succeed; otherwise -1. */
 static double process_least(char **argv)
 {
     double least = INFINITY;
@@ -225,7 +225,7 @@ static bool write_file(const char *path, const char *text)
     return file && !fclose(file) && fine;
 }
 
-/* The document and both programs as files in a folder. */
+/* Writes the document and both programs to a folder. */
 static bool write_files(char *document_path, char *vertex_path, char *fragment_path)
 {
     MatcOptions options = options_for(false);
@@ -248,8 +248,8 @@ static void put_process(double bare, double full, double glslang)
            NUMBER(2, (full - glslang) * 1e3));
 }
 
-/* A process of matc beside one that does nothing but glslang's part: parse and link the same two
- * programs. */
+/* Compares a process of matc with one that only does glslang's part: parses and links the same
+ * two programs. */
 static void print_process(const char *matc)
 {
     char folder[] = "/tmp/matbenchXXXXXX", document[64], vertex[64], fragment[64], self[1024] = {0};

@@ -1,11 +1,15 @@
 #!/bin/sh
-# Run time against error, and of frames, on another machine with a GPU, which has neither compiler nor packages.
-#   tests/bench/device.sh pack          here: build/matbench and the libraries it needs, into .device/
-#   tests/bench/device.sh run FOLDER    there, from the project's root: CSV, plot and page into FOLDER, in under 5 minutes
-#   tests/bench/device.sh render FOLDER there: what frames take, as text and CSV, in under 4 minutes
-#   tests/bench/device.sh pack-tests    here: all tests that draw, built with the preset gpu, and what they need, into .device/
-#   tests/bench/device.sh tests FOLDER  there: runs them on its GPU, in about 3 minutes; reports into FOLDER. Exit status 1: one failed that
-#                                       tests/bench/gpu.txt does not expect to
+# Run time against error, and frame times, on another machine with a GPU, without compiler and
+# packages.
+#   device.sh pack          here: copies build/matbench and its libraries to .device/
+#   device.sh run FOLDER    there, from the project's root: CSV, plot and page into FOLDER, in under
+#                           5 minutes
+#   device.sh render FOLDER there: frame times, as text and CSV, in under 4 minutes
+#   device.sh pack-tests    here: all tests that draw, built with the preset gpu, and their
+#                           dependencies, to .device/
+#   device.sh tests FOLDER  there: runs the tests on the GPU, in about 3 minutes; reports into
+#                           FOLDER. Exit status 1: a test failed that tests/bench/gpu.txt does not
+#                           list
 set -eu
 cd "$(dirname "$0")/../.."
 

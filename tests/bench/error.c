@@ -41,7 +41,7 @@ MatcDocument *error_document(const char *name, const char *text)
 {
     char path[LONGEST_PATH];
     const char *root =
-        /* a binary may have been carried */
+        /* the binary may have been copied to another machine */
         access(SOURCE_FOLDER "/examples", R_OK) ? "." : SOURCE_FOLDER;
     MatcOptions options;
     matc_options_init(&options);
@@ -51,7 +51,7 @@ MatcDocument *error_document(const char *name, const char *text)
     if (matc_material_count(document))
         return document;
     fputs(matc_diagnostics(document, MATC_TEXT), stderr);
-    exit(1); /* a document of our own */
+    exit(1); /* a built-in document */
 }
 
 MatcProgram *error_program(const MatcDocument *document, const Variant *variant)
@@ -95,7 +95,7 @@ static bool write_plot(const ErrorBench *bench, const char *basename)
     bool done = write_text(path, svg);
     snprintf(path, sizeof path, "%s.png", basename);
     if (done && !plot_png(svg, picture_scale, path, error, sizeof error))
-        fprintf(stderr, "matbench: no %s: %s\n", path, error); /* the SVG is there */
+        fprintf(stderr, "matbench: no %s: %s\n", path, error); /* the SVG exists */
     free(svg);
     return done;
 }
@@ -121,7 +121,7 @@ static void print_targets(const ErrorBench *bench)
     }
 }
 
-/* The plot as the page names it: relative to the page's folder. */
+/* The plot's path relative to the page's folder. */
 static const char *plot_from_page(const BenchOptions *a)
 {
     const char *slash = a->page ? strrchr(a->page, '/') : NULL;

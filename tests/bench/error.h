@@ -7,13 +7,13 @@
 
 enum { TARGETS_LIMIT = 64, TARGET_TEXT = 256, PANELS_LIMIT = 32 };
 
-/* A line of the table of targets. */
+/* A row of the table of targets. */
 typedef struct {
     char what[TARGET_TEXT], wanted[TARGET_TEXT], measured[TARGET_TEXT];
     bool reached;
 } ErrorTarget;
 
-/* Parts of the page, each a table; the template names them as @NORMALS@ and so on. */
+/* Parts of the page, a table each; the template names them as @NORMALS@ and so on. */
 typedef enum {
     SECTION_PART_materials,
     SECTION_PART_normals,
@@ -27,11 +27,11 @@ typedef enum {
 
 typedef struct {
     Meter *meter;
-    char command[1024]; /* as it was called */
+    char command[1024]; /* command line */
     bool quick;
-    double seconds; /* for a material */
-    /* pictures that are timed are so many times wider and higher on a GPU, or they would last no
-     * time */
+    double seconds; /* time for each material */
+    /* on a GPU, timed pictures are wider and higher by this factor, because draws are too short
+     * otherwise */
     int factor;
     FILE *csv;                      /* group,subject,gl,variant,quantity,value */
     FILE *part[SECTION_PART_count]; /* Markdown */
@@ -44,24 +44,22 @@ typedef struct {
 __attribute__((format(printf, 4, 5))) void error_target(ErrorBench *bench, const char *what,
                                                         bool reached,
                                                         const char *wanted_then_measured, ...);
-/* Subject of a figure of the CSV. */
+/* Row key of the CSV. */
 typedef struct {
     const char *group, *name, *variant;
 } ErrorSubject;
 
 void error_figure(ErrorBench *bench, ErrorSubject of, const char *quantity, double value);
 
-/* A document of the benches, read with its pictures; its materials exist, or the program has a
- * fault and ends. */
+/* Reads a built-in document with its pictures; an error in it ends the program. */
 MatcDocument *error_document(const char *name, const char *text);
-/* A program of pass value, slot diffuse, of a document's first material. NULL: it does not
- * compile. */
+/* A program of pass value, slot diffuse, for a document's first material. NULL: a compile error. */
 MatcProgram *error_program(const MatcDocument *document, const Variant *variant);
-/* Makes a material, to be drawn. False: it does not compile. */
+/* Makes a drawable material. Returns false on a compile error. */
 bool error_material(ErrorBench *bench, const MatcDocument *document, const Variant *variant,
                     Material *made);
 
-/* Each fills its parts and targets. */
+/* Each function fills its parts and targets. */
 void error_normals(ErrorBench *bench);
 void error_materials(ErrorBench *bench);
 void error_checker(ErrorBench *bench);
@@ -70,7 +68,7 @@ void error_powers(ErrorBench *bench);
 void error_codes(ErrorBench *bench);
 void error_layouts(ErrorBench *bench);
 
-/* The page, from its template, the parts and the targets. From malloc; NULL: the template cannot be
- * read. */
+/* Builds the page from its template, the parts and the targets. From malloc; NULL: the template
+ * cannot be read. */
 char *error_page(ErrorBench *bench, const char *plot, char *const *parts);
 #endif

@@ -1,5 +1,5 @@
-/* A checker on a plane up to its horizon: what filtering costs, and how far it is from 4096 samples
- * a pixel. */
+/* A checker on a plane up to its horizon: the cost of filtering, and the error against 4096
+ * samples per pixel. */
 #include "error.h"
 #include "matbench.h"
 #include <math.h>
@@ -18,14 +18,14 @@ enum {
 };
 static const double yaws[YAWS] = {0, 0.3, 0.785};
 
-/* u and v a unit of height, such that points alone err as they do in the table of numerics.md:
- * 0.165. */
+/* u and v per unit of height, chosen so that unfiltered values have the error of the table in
+ * numerics.md: 0.165. */
 static const double checker_scale = 0.78;
 
 static const char checker_document[] =
     "material: Phong\ndiffuse: { map: Checker, color1: 1, color2: 0 }\n";
 
-/* Samples within the shader: the competitor of filtering. */
+/* Supersampling within the shader, the alternative to filtering. */
 static const char samples_text[] = "#version 330 core\n"
                                    "in vec2 uv;\n"
                                    "layout(location = 0) out vec4 fragment0;\n"
@@ -96,7 +96,7 @@ static bool make_views(Checker *c)
     return framebuffer_make(gl, &full, &c->picture) && framebuffer_make(gl, &half, &c->half);
 }
 
-/* Errors of all methods at one yaw. `plain` is the method without filter. */
+/* Errors of all methods at one yaw. `plain` is the unfiltered method. */
 static bool add_errors(Checker *c, int yaw, Material *plain, float *wanted, float *found)
 {
     Meter *m = c->bench->meter;

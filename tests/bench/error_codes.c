@@ -1,5 +1,6 @@
-/* Every layout: whatever a slot reads back as is packed and read back once more, and must come back
- * the same, so that no code is lost between a shader, a render target and the next shader. */
+/* Round trip of every layout: each value that a slot reads back is packed and read back a second
+ * time, and must be equal, so that no code is lost between a shader, a render target and the
+ * next shader. */
 #include "error.h"
 #include "matbench.h"
 #include <math.h>
@@ -8,7 +9,7 @@
 
 enum { SWEEP = 65536, QUICK_SWEEP = 8192 };
 
-/* Every slot of a colour is x. */
+/* Every slot of a color has the value x. */
 static const char document_text[] =
     "material: Phong\n"
     "diffuse: &x { map: Gradient, direction: [1, 0, 0] }\n"
@@ -24,7 +25,7 @@ typedef struct {
     Material material;
     FieldVertex points[POINTS];
     SlotValues first[POINTS], second[POINTS];
-    double *codes; /* that one component was read back as, in the order of the sweep */
+    double *codes; /* values read back for one component, in the order of the sweep */
     long read, changed;
 } Sweep;
 
@@ -37,7 +38,7 @@ static bool draw(Sweep *s, SlotValues *values)
     return done;
 }
 
-/* The component is fed what it was read as. */
+/* Feeds the component with the values that were read back. */
 static bool check_component(Sweep *s, Slot slot, int component)
 {
     for (int i = 0; i < POINTS; i++)
@@ -70,7 +71,7 @@ static int distinct(const double *codes, int count)
 {
     int found = count > 0;
     for (int i = 1; i < count; i++)
-        found += codes[i] != codes[i - 1]; /* a sweep upwards reads back upwards */
+        found += codes[i] != codes[i - 1]; /* an ascending sweep reads back ascending */
     return found;
 }
 

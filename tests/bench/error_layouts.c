@@ -1,5 +1,5 @@
-/* Every built-in layout: what comes back of each slot, over a sweep of its values, and what packing
- * and reading back cost. */
+/* Every built-in layout: the error of each slot after a round trip, over a sweep of its values,
+ * and the cost of packing and unpacking. */
 #include "error.h"
 #include "compiler/describe/describe.h"
 #include "compiler/evaluate.h"
@@ -11,7 +11,7 @@
 
 enum { BATCHES = 32, QUICK_BATCHES = 4, LONGEST_DOCUMENT = 2048 };
 
-/* The components of a colour are x, 1 - x and a part of [0, 1]; light is up to 64. */
+/* The components of a color are x, 1 - x and a part of [0, 1]; light is up to 64. */
 #define COLOR                                                                                      \
     "{ map: Blend, blend: [{ value: 0, input: [0, 1, 0.2] }, { value: 1, input: [1, 0, 0.7] }], "  \
     "input: *t }\n"
@@ -60,7 +60,7 @@ static double greatest_component(const SlotValues *values, int slot)
     return greatest;
 }
 
-/* In units of max(1, the greatest component); the normal in degrees. */
+/* Errors in units of max(1, the greatest component); the normal's in degrees. */
 static void compare(const Sweep *s, Errors *errors)
 {
     for (int i = 0; i < POINTS; i++)
@@ -124,7 +124,7 @@ static bool measure(Sweep *s, int which, Errors *errors)
     return fine;
 }
 
-/* The case that the document's material takes: the first that stores what is in it. */
+/* The case of the document's material: the first that stores all of its slots. */
 static const CaseRow *case_of(const LayoutRow *row, int which)
 {
     int number = 0;

@@ -1,4 +1,4 @@
-/* Materials from small to hostile, each in every combination of choices. */
+/* Materials from small to hostile, each with every combination of options. */
 #include "error.h"
 #include "matbench.h"
 #include <math.h>
@@ -22,8 +22,8 @@
 
 static const struct {
     const char *name, *text;
-    double range; /* of the points */
-    double scale; /* u and v a unit of the plane */
+    double range; /* range of the points */
+    double scale; /* u and v per unit of the plane */
 } subjects[] = {
     {"constant", "material: Phong\ndiffuse: [0.1, 0.4, 0.3]\nspecular: 0.4\nshininess: 0.6\n", 4,
      1},
@@ -109,7 +109,7 @@ static int by_time(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Worst error of all slots before packing, to be compared with the layout's share. */
+/* Worst error of all slots before packing, for comparison with the layout's error. */
 static double computed(const Measured *m)
 {
     double most = 0;
@@ -118,7 +118,7 @@ static double computed(const Measured *m)
     return most;
 }
 
-/* The default and whatever is on a front, by time. */
+/* Prints the default and all variants on a Pareto front, sorted by time. */
 static void report(ErrorBench *bench, int subject, const MeasuredList *list)
 {
     char name[VARIANT_NAME];
@@ -154,7 +154,7 @@ static void report(ErrorBench *bench, int subject, const MeasuredList *list)
     free(sorted);
 }
 
-/* The plot's points outlive the list; labels are from malloc and stay as long as the program. */
+/* The plot's points outlive the list; labels are from malloc and are never freed. */
 static void add_panel(ErrorBench *bench, const char *subject, const MeasuredList *list,
                       bool aliasing)
 {

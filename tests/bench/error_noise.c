@@ -1,4 +1,4 @@
-/* How fast noise is, and what fading its octaves brings at a distance. */
+/* Speed of noise, and the time and error when octaves fade with distance. */
 #include "error.h"
 #include "matbench.h"
 #include <math.h>
@@ -7,9 +7,9 @@
 
 enum { SIDE = 512, ROUNDS = 25, QUICK_ROUNDS = 7, MOST = 16 };
 
-/* Cells of the first octave a pixel; the picture that the error is taken of, and its samples a
- * pixel along an edge: far away, where all octaves have faded, a pixel's true mean is only known
- * from thousands of samples. */
+/* Cells of the first octave per pixel; size of the picture whose error is measured, and its
+ * samples per pixel along an axis: at a distance where all octaves have faded, a pixel's true
+ * mean needs thousands of samples. */
 typedef struct {
     double cells;
     int side, samples;
@@ -22,7 +22,7 @@ static const char octaves_document[] =
     "material: Phong\ndiffuse: { map: VolumeTurbulence, octaves: 8, noiseRatio: 0.5, "
     "frequency: 0.5, phase: 0.5 }\n";
 
-/* A square of 2 x `extent` units that fills the picture, seen at a right angle. */
+/* A square of 2 x `extent` units that fills the picture, seen perpendicularly. */
 static bool make_square(Meter *m, double extent, Field *made)
 {
     FieldVertex corners[4];
@@ -176,7 +176,7 @@ static bool make_target(ErrorBench *bench, int side, GLenum format, Framebuffer 
 static void measure_document(ErrorBench *bench, const char *text, Axis axis, double extent,
                              const View *view)
 {
-    Field field = {0}, wide = {0}; /* what is looked at; as much more of it as more is timed */
+    Field field = {0}, wide = {0}; /* the measured field; a larger one for timing */
     Framebuffer full, half;
     Timed *list = calloc(MOST, sizeof *list);
     GlContext *gl = bench->meter->gl;

@@ -1,4 +1,4 @@
-/* How far unit normals are from themselves after being stored. */
+/* Angular error of unit normals after a round trip through each encoding. */
 #include "error.h"
 #include "matbench.h"
 #include "tests/value/normals.h"

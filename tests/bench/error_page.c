@@ -1,4 +1,4 @@
-/* The page: a template whose @NAMES@ are replaced by what was measured. */
+/* The HTML page: a template whose @NAMES@ are replaced by the measured results. */
 #include "error.h"
 #include <stdlib.h>
 #include <string.h>

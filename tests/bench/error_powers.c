@@ -1,4 +1,5 @@
-/* x^32 by every choice of the axis powers: the error in units in the last place, and the time. */
+/* x^32 by every implementation of the axis powers: the error in units in the last place, and the
+ * time. */
 #include "error.h"
 #include "matbench.h"
 #include "compiler/evaluate.h"
@@ -6,8 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The picture fits into a cache: powers are few instructions, and writing many pixels takes
- * longer. */
+/* The picture fits into a cache, because powers are few instructions and writing many pixels
+ * would take longer. */
 enum {
     SIDE = 256,
     ROUNDS = 25,
@@ -18,7 +19,7 @@ enum {
     EXPONENT = 32
 };
 
-/* Five squares of x, one after the other. */
+/* Five successive squarings of x. */
 static const char document_text[] =
     "material: Phong\n"
     "diffuse:\n"
@@ -34,10 +35,10 @@ typedef struct {
     double ulp, nanoseconds;
 } Power;
 
-/* The distance of floats around a number. */
+/* Distance between adjacent floats near a number. */
 static double float_step(double v) { return ldexp(1, ilogb(v) - 23); }
 
-/* Points whose x is anywhere in [1/2, 3/2). */
+/* Points with x uniform in [1/2, 3/2). */
 static void make_points(FieldVertex points[POINTS], int batch)
 {
     sample_points(points, 1);
@@ -47,7 +48,7 @@ static void make_points(FieldVertex points[POINTS], int batch)
     }
 }
 
-/* Points of a batch, and what is drawn at them. */
+/* Points of a batch, and their drawing. */
 typedef struct {
     FieldVertex *points; /* POINTS */
     float (*rgba)[4];
@@ -150,7 +151,7 @@ static int make_powers(ErrorBench *bench, const MatcDocument *document, Power po
     MatcOptions options;
     int count = 0;
     matc_options_init(&options);
-    options.aa = "none"; /* a mean of the wave takes no powers */
+    options.aa = "none"; /* the mean of the wave would use no powers */
     for (int i = 0; i < axis_choices(AXIS_powers) && count < MOST; i++) {
         variant_of(&options, &variant);
         variant.choice[AXIS_powers] = axis_table[AXIS_powers].first + i;

@@ -1,16 +1,17 @@
-/* matbench functions: what a driver makes of functions of which GLSL promises little or nothing,
- * and of waves that are made of them, drawn at a grid of floats and compared with the C library in
- * double: the worst error seen, beside what docs/reference/stability.md states of Mesa. */
+/* matbench functions: the accuracy of the driver's built-in functions for which GLSL promises
+ * little or nothing, and of waves that are made of them. They are drawn on a grid of floats and
+ * compared with the C library in double. Prints the worst error next to the bound that
+ * docs/reference/stability.md states for Mesa. */
 #include "matbench.h"
 #include "tests/draw/canvas.h"
 #include <math.h>
 #include <stdio.h>
 
 enum { SIDE = 512, PIXELS = SIDE * SIDE };
-static const double UNIT = 1. / (1 << 24); /* of relative errors */
+static const double UNIT = 1. / (1 << 24); /* unit of relative errors */
 
-/* Drawn from `low` on, over a width that is a power of two, so that every number of the grid is a
- * float. */
+/* Drawn from `low` on, over a width that is a power of two, so that every number of the grid is
+ * a float. */
 typedef struct {
     const char *name, *library; /* a library function, or "" */
     double (*reference)(double);
@@ -30,7 +31,7 @@ static const Row rows[] = {
     {"atan", "", atan, -64, 128, false, 4e-6},
 };
 
-/* How much larger than stated the worst is, and the worst. */
+/* Greatest ratio of the error to the stated bound, and the greatest error. */
 typedef struct {
     double seen, ratio;
 } Worst;

@@ -1,4 +1,4 @@
-/* matbench growth [NAME...]: how the time to compile grows with the document, over the table that
+/* matbench growth [NAME...]: compile time against the size of the document, over the table that
  * test_growth.c bounds. */
 #include "matbench.h"
 #include "tests/growth/growth.h"

@@ -1,6 +1,6 @@
-/* matbench guards: the formulas of examples, how many guards of totality lowering made for them (a
- * quotient's, a root's, a logarithm's, a power's, an arc's, an exponential's), and how many are
- * left where intervals proved what they could. */
+/* matbench guards: counts, for the formulas of the examples, the totality guards that lowering
+ * makes (for quotients, roots, logarithms, powers, arcs and exponentials), and the guards that
+ * remain after interval analysis removed the provably unneeded ones. */
 #include "matbench.h"
 #include "tests/value/documents.h"
 #include <math.h>
@@ -24,7 +24,7 @@ static bool has_number(const Ir *ir, Ref ref, double number)
     return false;
 }
 
-/* By the numbers that lower_term.c guards with, which nothing else in a value has. */
+/* Recognizes guards by the constants that lower_term.c uses for them alone. */
 static bool is_guard(const Ir *ir, Ref ref)
 {
     const IrNode *node = ir_at(ir, ref);
@@ -41,7 +41,7 @@ static bool is_guard(const Ir *ir, Ref ref)
     return false;
 }
 
-/* Every slot's program moves the vertices: of one alone that counts. */
+/* Every slot's program displaces the vertices; only one of them counts. */
 static void drop_displacement(Ir *ir)
 {
     int kept = 0;

@@ -1,8 +1,9 @@
-/* matbench instructions: our shader and one written by hand for the same material, both through
- * glslang and spirv-opt -O, counted in SPIR-V instructions within functions. The shaders by hand
- * average nothing over the pixel, so ours are those of --aa=none. The documents and the shaders lie
- * in tests/bench/; formulas have theirs in formulas.def. A test, too: none of ours may have more
- * than LARGEST_RATIO times the instructions; status 77 where spirv-opt is not installed. */
+/* matbench instructions: compares our shader with a hand-written one for the same material. Both
+ * go through glslang and spirv-opt -O, and the SPIR-V instructions within functions are counted.
+ * The hand-written shaders do not filter, so ours are compiled with --aa=none. The documents and
+ * shaders are in tests/bench/; formulas have theirs in formulas.def. Also a test: no shader of
+ * ours may have more than LARGEST_RATIO times the instructions; exit status 77 without
+ * spirv-opt. */
 #include "matbench.h"
 #include "compiler/base/session.h"
 #include "compiler/matc.h"
@@ -15,7 +16,7 @@
 
 static const double LARGEST_RATIO = 1.05;
 
-enum { SKIPPED = 77 }; /* as ctest knows it */
+enum { SKIPPED = 77 }; /* ctest's status for skipped tests */
 enum {
     OP_EXTENDED = 12,
     OP_FUNCTION = 54,
@@ -34,9 +35,9 @@ static const char *const names[] = {"plain",         "checker",   "uvChecker", "
                                     "volumeChecker", "sideSwitch"};
 enum { NAME_COUNT = sizeof names / sizeof *names };
 
-/* Instructions from the first function on, labels aside. A smoothstep is one of SPIR-V's, and what
- * it is defined as on a GPU, which is what matc writes: t = clamp((x - low) * scale, 0, 1), t * t *
- * (3 - 2 * t). */
+/* Counts instructions from the first function on, without labels. A smoothstep of SPIR-V counts
+ * as its definition, which is what matc writes: t = clamp((x - low) * scale, 0, 1), t * t (3 - 2
+ * * t). */
 static int count_instructions(const uint32_t *words, size_t count)
 {
     int instructions = 0;
@@ -51,7 +52,7 @@ static int count_instructions(const uint32_t *words, size_t count)
     return instructions;
 }
 
-/* Without it there is nothing to count. */
+/* spirv-opt is required. */
 static bool has_spirv_opt(void)
 {
     if (!system("spirv-opt --version >/dev/null 2>&1"))
@@ -62,7 +63,7 @@ static bool has_spirv_opt(void)
     return false;
 }
 
-/* Through spirv-opt -O; -1 when that is not to be had. */
+/* Count after spirv-opt -O; -1 if that fails. */
 static int optimised_count(const void *spirv, size_t size)
 {
     char from[] = "/tmp/matbenchXXXXXX", to[sizeof from + 4], command[2 * sizeof from + 64];
@@ -103,7 +104,7 @@ int bench_count(const char *path, const char *text, size_t size, const char *lay
     matc_options_init(&options);
     options.target = "spirv";
     options.layout = layout;
-    options.aa = "none"; /* as the programs by hand have it */
+    options.aa = "none"; /* the hand-written programs do not filter */
     MatcDocument *document = matc_read(path, text, size, &options);
     MatcProgram *program = matc_compile(document, 0, MATC_SPIRV, &options);
     const char *spirv = matc_output(program, MATC_SPIRV, &spirv_size);
@@ -140,7 +141,8 @@ static int ours(const char *name)
     char path[LONGEST_PATH];
     size_t size = 0;
     char *text = read_text(name, ".yaml", path, &size);
-    const int count = bench_count(path, text ? text : "", size, "thesis"); /* likewise */
+    /* the same for our program */
+    const int count = bench_count(path, text ? text : "", size, "thesis");
     free(text);
     return count;
 }
@@ -172,7 +174,7 @@ static int formula_ours(const Formula *formula)
     return bench_count(formula->name, text, (size_t)size, "thesis");
 }
 
-/* The row's GLSL stands where the frame has its mark. */
+/* The row's GLSL replaces the frame's mark. */
 static int formula_by_hand(const Formula *formula)
 {
     static const char mark[] = "// FORMULA";
@@ -188,7 +190,7 @@ static int formula_by_hand(const Formula *formula)
     return count;
 }
 
-/* False: there is nothing to compare, or ours is too long. */
+/* Returns false if a count is missing, or ours is too large. */
 static bool put_row(const char *name, int hand, int mine)
 {
     const double ratio = (double)mine / hand;

@@ -1,5 +1,5 @@
-/* Cost of encodings: nanoseconds a pixel to pack and to unpack, drawn over a square, beside their
- * bits and their errors. The time of an empty square is subtracted. */
+/* Cost of encodings: nanoseconds per pixel to pack and to unpack, drawn over a square, next to
+ * their bits and errors. The time of an empty square is subtracted. */
 #include "matbench.h"
 #include "compiler/describe/describe.h"
 #include "tests/draw/canvas.h"
@@ -10,7 +10,7 @@
 
 enum { SIDE = 512, REPEATS = 80, VALUE_CAPACITY = 256, TEXT_CAPACITY = 512 };
 
-/* Cheap values that differ from pixel to pixel. */
+/* Cheap inputs that vary from pixel to pixel. */
 static const char *const inputs[] = {
     "", "fract(float(index) * 0.618)", "fract(vec2(index, index + 1u) * vec2(0.618, 0.414))",
     "normalize(fract(vec3(index, index + 1u, index + 2u) * vec3(0.618, 0.414, 0.732)) - 0.5)"};
@@ -30,15 +30,15 @@ static double measure(Canvas *canvas, const char *functions, const char *express
     return seconds * 1e9 / SIDE / SIDE;
 }
 
-/* A call of a library function, and what comes of it. */
+/* A call of a library function, and its result. */
 typedef struct {
     const char *function, *value;
-    int bits;       /* its second argument; 0: it has none */
-    int components; /* of its result */
+    int bits;       /* the second argument; 0: none */
+    int components; /* components of the result */
     bool words;
 } Call;
 
-/* A call as a pixel of the target; a result of fewer components is repeated or filled up. */
+/* Writes a call's result to the target; fewer than four components are repeated or padded. */
 static double measure_call(Canvas *canvas, const Call *call)
 {
     static const char *const fill[] = {"", "", ", 0.0, 0.0", ", 0.0", ""};
@@ -50,7 +50,7 @@ static double measure_call(Canvas *canvas, const Call *call)
     return measure(canvas, call->function, text, call->words);
 }
 
-/* Times below that of the store itself are 0. */
+/* Time minus that of the store itself; at least 0. */
 static double beyond(double all, double nothing)
 {
     return isnan(all) ? all : fmax(all - nothing, 0);
@@ -98,7 +98,7 @@ static void put_row(Canvas *canvas, const FieldRow *field)
     arena_free(&arena);
 }
 
-/* Every encoding that has a function, at the widths that are asked about. */
+/* Every encoding that has a function, at the usual widths. */
 int bench_layout(const BenchOptions *options)
 {
     bool timed = options->timed;

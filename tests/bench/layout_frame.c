@@ -1,6 +1,6 @@
-/* Cost of a layout in a frame: the G-buffer pass of a material whose every slot is a uniform, so
- * that nothing is packed beforehand, and a pass that reads all slots back. Both fill a square; the
- * least of several draws counts. */
+/* Cost of a layout in a frame: the G-buffer pass of a material whose slots are all uniforms, so
+ * that no slot is packed at compile time, and a pass that reads all slots back. Both fill a
+ * square; the minimum of several draws counts. */
 #include "matbench.h"
 #include "runtime/gpu_material/targets.h"
 #include "runtime/gl/screen.h"
@@ -40,7 +40,7 @@ static double least_draw(GlContext *gl, const Screen *screen)
     return least * 1e3;
 }
 
-/* The sum of all slots. */
+/* Writes the sum of all slots. */
 static void reader_text(const LayoutRow *layout, char *text)
 {
     static const char *const swizzle[] = {".w", ".xy", ".xyz"};
@@ -61,7 +61,7 @@ typedef struct {
     GlContext *gl;
     Store *store;
     Screen screen;
-    Framebuffer target; /* of the pass that reads */
+    Framebuffer target; /* target of the reading pass */
 } Bench;
 
 static bool time_write(Bench *b, MatcProgram *program, const Framebuffer *gbuffer, double *ms)

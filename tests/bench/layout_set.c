@@ -1,6 +1,6 @@
-/* The light pass of a set of materials: what reading its slots back takes from `compact`, by the
- * text for the cases that the set uses and by that for all cases, beside a layout that is made
- * for the set. All are timed in turns, in one run. */
+/* The light pass of a set of materials: the cost of unpacking `compact`, with code for the cases
+ * that the set uses and with code for all cases, next to a layout that is made for the set. The
+ * variants are timed alternately in one run. */
 #include "matbench.h"
 #include "runtime/gpu_material/targets.h"
 #include "runtime/gl/screen.h"
@@ -11,7 +11,7 @@
 
 enum { SIDE = 1024, TURNS = 15, TEXT_CAPACITY = 1 << 15, READERS = 3, MAX_MATERIALS = 4 };
 
-/* All numbers are uniforms, so that nothing is packed beforehand. */
+/* All numbers are uniforms, so that no slot is packed at compile time. */
 static const struct {
     const char *name, *text;
 } sets[] = {
@@ -40,7 +40,7 @@ static const char vertex_text[] =
     "0., 1.);\n"
     "eyeNormal = vec3(gl_Position.xy, 1. - dot(gl_Position.xy, gl_Position.xy)); }";
 
-/* A text that reads a G-buffer, and what it is drawn with. */
+/* A program that reads a G-buffer, and its inputs. */
 typedef struct {
     MatcProgram *programs[MAX_MATERIALS];
     int count;
@@ -57,7 +57,7 @@ typedef struct {
     MatcDocument *document;
 } Bench;
 
-/* The sum of all slots that the text gives. */
+/* Writes the sum of all slots that the unpacking code provides. */
 static void put_reader(char *text)
 {
     static const char *const swizzle[] = {".w", ".xy", ".xyz"};
@@ -73,7 +73,7 @@ static void put_reader(char *text)
     snprintf(text + size, (size_t)(TEXT_CAPACITY - size), "}\n");
 }
 
-/* Stripes of all materials of the set. */
+/* Draws stripes of all materials of the set. */
 static bool fill(Bench *b, Reader *r)
 {
     const FramebufferSpec spec = {.width = SIDE, .height = SIDE};
@@ -93,7 +93,7 @@ static bool fill(Bench *b, Reader *r)
     return true;
 }
 
-/* By these options; `used`: the text for the cases of the set alone. */
+/* Compiles with these options; `used`: unpacking code for the cases of the set only. */
 static bool open_reader(Bench *b, MatcOptions options, bool used, Reader *r)
 {
     char text[TEXT_CAPACITY];
@@ -131,7 +131,7 @@ static void close_reader(Bench *b, Reader *r)
         matc_program_free(r->programs[i]);
 }
 
-/* The layout that is made for all materials of the set. */
+/* Makes the layout for all materials of the set. */
 static MatcLayout *own_layout(const Bench *b, const MatcOptions *options)
 {
     MatcRanges ranges;

@@ -1,5 +1,5 @@
-/* matbench: measures what matc promises. Every figure in docs/ comes from one of its
- * subcommands. */
+/* matbench: measures the performance and accuracy that matc promises. Every figure in docs/
+ * comes from one of its subcommands. */
 #include "matbench.h"
 #include "compiler/base/progress.h"
 #include "compiler/base/suggest.h"
@@ -30,7 +30,7 @@ void bench_show(const char *what)
 {
     Arena arena = {0};
     Text line = text_new(&arena);
-    double none = 0; /* each line is worth its own time */
+    double none = 0; /* time of the last line: no rate limit */
     if (isatty(STDERR_FILENO))
         fputs(progress_line(&line, what, bench_now(), &none), stderr);
     arena_free(&arena);
@@ -49,9 +49,9 @@ static const struct Command {
     int (*run)(const BenchOptions *options);
     const char *doc;
     const Option *options; /* NULL: plain_options */
-    SuggestName *table;    /* names of its tables, which arguments may select */
-    const char *words;     /* other arguments, as --help shows them */
-    bool own;              /* reads its arguments itself */
+    SuggestName *table;    /* its tables' names, as possible arguments */
+    const char *words;     /* other arguments, for --help */
+    bool own;              /* parses its arguments itself */
 } commands[] = {
     {"cells", .run = bench_cells,
      .doc = "what cells are replaced with far away, measured: the rows of grammar/cells.def"},
@@ -190,7 +190,8 @@ static int run(const struct Command *command, int argc, char **argv)
 
 int main(int argc, char **argv)
 {
-    setvbuf(stdout, NULL, _IOLBF, BUFSIZ); /* rows appear as they are measured, in pipes too */
+    /* line buffering, so that pipes receive rows as they are measured */
+    setvbuf(stdout, NULL, _IOLBF, BUFSIZ);
     for (int i = 0; i < COMMANDS && argc > 1; i++)
         if (!strcmp(argv[1], commands[i].name))
             return run(&commands[i], argc - 1, argv + 1);

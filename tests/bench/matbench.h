@@ -9,14 +9,14 @@
 
 /* Seconds on the monotonic clock. */
 double bench_now(void);
-/* Median of a list, which it sorts. */
+/* Sorts a list and returns its median. */
 double bench_median(double *values, int count);
-/* Greatest resident memory of the process so far, in KiB. */
+/* Peak resident memory of the process so far, in KiB. */
 long bench_peak_memory(void);
 
-/* A number of so many decimals, or "-" for NAN: what was not measured. --untimed leaves all times
- * out, so that what is left does not depend on the machine: tests/docs/figures.sh holds docs/
- * against it. */
+/* Formats a number with `decimals` decimals, or "-" for NAN, an unmeasured value. --untimed
+ * omits all times, so that the output does not depend on the machine: tests/docs/figures.sh
+ * compares docs with it. */
 enum { BENCH_NUMBER = 32 };
 #define NUMBER(decimals, value) bench_number((char[BENCH_NUMBER]){0}, decimals, value)
 const char *bench_number(char text[BENCH_NUMBER], int decimals, double value);
@@ -28,8 +28,8 @@ typedef struct {
     const char *csv, *plot, *page, *mesh, *meshes, *lift, *map, *only, *matc;
     int count, triangles, maps, voxels, pixels, size[2];
     double seconds;
-    SuggestName *table; /* the names of the subcommand's tables; NULL: it has none */
-    unsigned tables;    /* a bit for each table that was named; 0: none */
+    SuggestName *table; /* names of the subcommand's tables; NULL: none */
+    unsigned tables;    /* a bit for each selected table; 0: none */
     const char **words; /* arguments of a subcommand without tables */
     int word_count;
     char **arguments; /* all arguments from the subcommand on */
@@ -69,15 +69,14 @@ typedef struct {
     }
 const char *bench_gl_name(const void *user, int i);
 
-/* Says on a terminal what is measured now; "" takes it away, before a line is printed. Nothing
- * where standard error is none. */
+/* Shows the current measurement on a terminal; "" erases it before a line is printed. Does
+ * nothing if standard error is no terminal. */
 void bench_show(const char *what);
 
-/* Seconds of the processor that a compilation of a document's first material takes, the least of so
- * many runs; NAN for none. */
+/* Minimum CPU seconds to compile a document's first material, over `runs` runs; NAN on an error. */
 double bench_compile_least(const char *text, size_t size, const MatcOptions *options, int runs);
-/* Instructions of its program for a layout, --aa=none, behind spirv-opt -O. -1: it does not
- * compile, or spirv-opt is not there. */
+/* Instructions of its program for a layout, --aa=none, after spirv-opt -O. -1 on a compile error
+ * or without spirv-opt. */
 int bench_count(const char *path, const char *text, size_t size, const char *layout);
 
 /* Run a subcommand and return the exit status. matbench.c has a row for each, with its options and
@@ -87,7 +86,7 @@ int bench_cells(const BenchOptions *options);
 int bench_compile(const BenchOptions *options);
 int bench_displacement(const BenchOptions *options);
 int bench_error(const BenchOptions *options);
-int bench_functions(const BenchOptions *options); /* 1: an error exceeds its stated bound */
+int bench_functions(const BenchOptions *options); /* status 1: an error exceeds its stated bound */
 int bench_glslang(const BenchOptions *options);
 int bench_growth(const BenchOptions *options);
 int bench_guards(const BenchOptions *options);
@@ -95,10 +94,11 @@ int bench_indirect(const BenchOptions *options);
 int bench_instructions(const BenchOptions *options);
 int bench_layout(const BenchOptions *options);
 int bench_noise(const BenchOptions *options);
-int bench_render(const BenchOptions *options); /* 1: pictures differ that have to be equal */
+int bench_render(const BenchOptions *options); /* status 1: pictures that must be equal differ */
 int bench_shadows(const BenchOptions *options);
 int bench_stress(const BenchOptions *options);
-int bench_surfaces(const BenchOptions *options); /* 1: the error of a slot exceeds its bound */
+/* status 1: the error of a slot exceeds its bound */
+int bench_surfaces(const BenchOptions *options);
 int bench_thesis(const BenchOptions *options);
 extern const Option bench_batch_options[], bench_displacement_options[], bench_error_options[],
     bench_indirect_options[], bench_noise_options[], bench_render_options[],
@@ -106,11 +106,11 @@ extern const Option bench_batch_options[], bench_displacement_options[], bench_e
 SuggestName bench_displacement_table, bench_indirect_table_name, bench_render_table,
     bench_shadows_table, bench_thesis_table;
 
-/* Nanoseconds a pixel that the pass takes which writes a layout of layout_table, and one that reads
- * all of it. */
+/* Measures nanoseconds per pixel of the pass that writes a layout of layout_table, and of one
+ * that reads all of it. */
 bool bench_layout_cost(GlContext *gl, int layout, double *write, double *read);
 /* Prints the second table of bench_layout: whole passes. */
 int bench_layout_frame(bool timed);
-/* Its third: light passes of sets of materials. */
+/* Prints the third table: light passes of sets of materials. */
 int bench_layout_set(bool timed);
 #endif

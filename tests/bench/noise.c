@@ -1,6 +1,6 @@
-/* matbench noise: how long noise of ours takes, beside noise of others, written anew from their
- * published definitions. Every function is summed over the same octaves at the same places; the
- * time of a constant colour is subtracted. */
+/* matbench noise: time of our noise functions next to other noise functions, which are
+ * reimplemented from their publications. Every function is summed over the same octaves at the
+ * same places; the time of a constant color is subtracted. */
 #include "compiler/base/file.h"
 #include "matbench.h"
 #include "runtime/autotune/meter.h"
@@ -12,7 +12,7 @@
 
 enum { SIDE = 512, GPU_FACTOR = 4, ROUNDS = 41, TEXT_CAPACITY = 1 << 17, PATH_CAPACITY = 1024 };
 
-/* A function `float noise(vec3)`: of a file beside this one, or of the library by a choice. */
+/* A function `float noise(vec3)`: from a file in this folder, or from the library by a choice. */
 typedef struct {
     const char *name, *file;
     Choice choice;
@@ -38,7 +38,7 @@ static const char text_main[] =
     "    colour = vec4(sum);\n"
     "}\n";
 
-/* The fragment program of a row. False: said. */
+/* Writes the fragment program of a row. Returns false after a message. */
 static bool write_text(const Row *row, char text[TEXT_CAPACITY])
 {
     char path[PATH_CAPACITY], *read = NULL;

@@ -1,5 +1,5 @@
-/* matbench stress: any number of random documents, each tried in every way. A fault is shrunk to a
- * small document. */
+/* matbench stress: tries any number of random documents in every mode. A failing document is
+ * shrunk to a small one. */
 #include "matbench.h"
 #include "tests/stress/modes.h"
 #include "tests/stress/stress.h"

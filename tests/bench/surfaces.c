@@ -1,7 +1,7 @@
-/* matbench surfaces: the four most common kinds of Principled in `compact`: how far each slot is
- * from the oracle's, which is in double, after it was packed, drawn and read back, beside what its
- * bits promise; then what packing takes of instructions and time to compile. A test, too: no slot
- * may be off by more than is promised, beyond what floats make of the formulas. */
+/* matbench surfaces: the four most common kinds of Principled in `compact`. Prints the error of
+ * each slot after it was packed, drawn and read back, against the oracle in double, next to the
+ * error that its bits allow; then the instruction count and compile time of packing. Also a
+ * test: no slot may exceed the allowed error by more than the rounding of the formulas. */
 #include "matbench.h"
 #include "compiler/describe/describe.h"
 #include "compiler/evaluate.h"
@@ -14,7 +14,7 @@
 #include <string.h>
 
 enum { LONGEST_TEXT = 1024, BATCHES = 16, RUNS = 301, KEPT_BYTES = 16 };
-/* Rounding of a formula in floats, and of the normal in degrees. */
+/* Rounding error of a formula in floats, and of the normal in degrees. */
 static const double FLOAT_SLACK = 1e-6, FLOAT_DEGREES = 1e-4;
 
 static const struct {
@@ -30,7 +30,7 @@ typedef struct {
     FieldVertex points[POINTS];
     Surface at[POINTS];
     SlotValues want[POINTS], got[POINTS];
-    double worst[SLOT_COUNT]; /* in the unit of what stores it; below 0: no point says anything */
+    double worst[SLOT_COUNT]; /* in the unit of the field's error; below 0: no point was measured */
 } Sweep;
 
 static size_t put_document(int which, char text[LONGEST_TEXT])
@@ -39,7 +39,7 @@ static size_t put_document(int which, char text[LONGEST_TEXT])
                             surfaces[which].parameters);
 }
 
-/* u and v run through [0, 1], other pairs of them in each batch. */
+/* u and v cover [0, 1], with other pairs in each batch. */
 static void set_points(Sweep *s, int batch)
 {
     sample_points(s->points, 1);
@@ -72,7 +72,7 @@ static bool is_reported(const SlotValues *values, int slot)
     return reported;
 }
 
-/* Draws a batch of points, and notes what slots are off by. */
+/* Draws a batch of points, and records the errors of slots. */
 static bool compare(Sweep *s, Material *material)
 {
     Field field;
@@ -104,7 +104,7 @@ static bool sweep(Sweep *s, const MatcDocument *document, MatcProgram *program,
     return fine;
 }
 
-/* False: it is off by more than is promised. */
+/* Returns false if the error exceeds the bound. */
 static bool put_slot(const Sweep *s, int which, const FieldRow *field, Slot slot)
 {
     Arena arena = {0};
@@ -118,7 +118,7 @@ static bool put_slot(const Sweep *s, int which, const FieldRow *field, Slot slot
     return s->worst[slot] <= field_error(field) + (degrees ? FLOAT_DEGREES : FLOAT_SLACK);
 }
 
-/* Every slot that the material says something of must be stored, within its bits. */
+/* Every slot that the material sets must be stored, within the error of its bits. */
 static bool put_slots(const Sweep *s, int which, const CaseRow *row)
 {
     bool fine = true;
@@ -155,7 +155,7 @@ static bool measure(Sweep *s, int which)
     return fine;
 }
 
-/* Cost of a program for a layout; pass `value`, of one slot in floats, would say little. */
+/* Cost of a program for a whole layout; the pass `value`, one slot in floats, would tell little. */
 static void put_cost(int which, bool timed)
 {
     static const char *const layouts[] = {"compact", "integer"};

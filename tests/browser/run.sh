@@ -1,6 +1,7 @@
 #!/bin/sh
-# What matc writes for WebGL 2, linked and drawn by a browser: run.sh MATC BUILD_FOLDER [--all] [--part=K/N] [--minutes=N]. MATC_BROWSER names a
-# Chromium; without it the first that is installed. Run from the project's root. Status 77: skipped.
+# Links and draws matc's programs for WebGL 2 in a browser:
+# run.sh MATC BUILD_FOLDER [--all] [--part=K/N] [--minutes=N]. MATC_BROWSER names a Chromium; by
+# default the first installed one. Run from the project's root. Status 77: skipped.
 set -u
 . tests/npm.sh
 matc=$1

@@ -1,7 +1,9 @@
 #!/bin/sh
-# Adds the map, the rule, the target, the pass and the light of docs/design/add-a-*.md to a copy of the project, from the blocks of these pages, and touches no
-# other file than they name; builds it, and runs the tests that must then be green. Run from the project's root.
-# usage: tests/docs/add.sh [build folder]   whose objects stand in for those of the copy that the rows cannot change
+# Adds the map, the rule, the target, the pass and the light of docs/design/add-a-*.md to a copy of
+# the project, from the blocks of these pages, and changes only the files that they name; builds the
+# copy, and runs the tests that must then pass. Run from the project's root.
+# usage: tests/docs/add.sh [build folder]   whose objects are reused where the rows cannot change
+#                                           them
 set -eu
 build=${1:-}
 pages="docs/design/add-a-map.md docs/design/add-a-rule.md docs/design/add-a-target.md docs/design/add-a-pass.md docs/design/add-a-light.md"

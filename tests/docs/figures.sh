@@ -1,8 +1,12 @@
 #!/bin/sh
-# The figures in docs/results/performance.md, docs/reference/stability.md, docs/results/shadows.md, docs/results/displacement.md, docs/results/layouts.md and docs/results/thesis.md that do not depend on the machine, against the commands that print them: figures.sh BUILD_FOLDER
-# [--update]. A block below `<!-- matbench WORDS -->` is what that command printed; now it is run without its times, for which it
-# prints `-`. Every line of the block must be printed, in this order, with the same words and numbers, and any number where there
-# is a `-`; fractions of docs/results/shadows.md, of what is drawn, may be off by two of their last digit. --update writes the page anew, with its times as they were. Run from the project's root. Status 77: skipped.
+# Compares machine-independent figures in docs/results/performance.md, docs/reference/stability.md,
+# docs/results/shadows.md, docs/results/displacement.md, docs/results/layouts.md and
+# docs/results/thesis.md with the output of their commands: figures.sh BUILD_FOLDER [--update]. A
+# block below `<!-- matbench WORDS -->` is that command's output; the command is run without times,
+# for which it prints `-`. Every line of the block must be printed, in this order, with the same
+# words and numbers, and any number in place of a `-`; fractions of docs/results/shadows.md, which
+# are drawn, may differ by two in their last digit. --update rewrites the pages and keeps their
+# times. Run from the project's root. Status 77: skipped.
 set -u
 build=$1
 update=${2:-}

@@ -1,8 +1,9 @@
 #!/bin/sh
-# The targets that README.md, docs/reference/matc.1 and compiler/matc.h name are those of grammar/targets.def, as matc --help lists them,
-# and the warnings that matc.1 names are those of grammar/diags.def, as matc --explain warnings has them,
-# and the modes in which docs/reference/stability.md runs the stress test those of tests/stress/modes.def:
-# lists.sh MATC; with --update behind it, these files are written anew. Run from the project's root.
+# Checks lists in documentation: the targets in README.md, docs/reference/matc.1 and compiler/matc.h
+# against grammar/targets.def, as printed by matc --help; the warnings in matc.1 against
+# grammar/diags.def, as printed by matc --explain warnings; and the stress test's modes in
+# docs/reference/stability.md against tests/stress/modes.def: lists.sh MATC [--update]; --update
+# rewrites the lists. Run from the project's root.
 set -eu
 matc=$1
 update=${2:-}

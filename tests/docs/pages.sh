@@ -1,6 +1,7 @@
 #!/bin/sh
-# What README.md and docs/ show is so: documents compile, programs and messages are what matc writes, excerpts are those of their
-# files, commands run: pages.sh MATC MATVIEW. Run from the project's root.
+# Checks the examples in README.md and docs/: documents compile, programs and messages equal matc's
+# output, excerpts equal their files, commands run: pages.sh MATC MATVIEW. Run from the project's
+# root.
 set -u
 matc=$(realpath "$1")
 matview=$(realpath "$2")

@@ -1,6 +1,7 @@
 #!/bin/sh
-# The reference pages have every map, material, function of a formula and file of definitions, each with its picture, and the pictures are there:
-# pictured.sh MATC REFERENCE_FOLDER. Run from the project's root. Status 77: skipped, the build left them out.
+# Checks that the generated reference pages contain every map, material, formula function and
+# definition file, each with its picture, and that the pictures exist:
+# pictured.sh MATC REFERENCE_FOLDER. Run from the project's root. Status 77: the build omitted them.
 set -u
 matc=$1
 pages=$2

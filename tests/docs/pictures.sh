@@ -1,6 +1,8 @@
 #!/bin/sh
-# What docs/reference/materials.md, docs/guide/gallery.md, docs/reference/from-other-tools.md and docs/reference/language.md show: every document compiles without a warning, and is not the same everywhere;
-# every picture is there: pictures.sh MATC MATVIEW [--update]. --update draws the pictures anew. Run from the project's root.
+# Checks the pictures of docs/reference/materials.md, docs/guide/gallery.md,
+# docs/reference/from-other-tools.md and docs/reference/language.md: every document compiles without
+# a warning and its picture is not uniform; every picture exists: pictures.sh MATC MATVIEW
+# [--update]. --update redraws the pictures. Run from the project's root.
 set -u
 matc=$(realpath "$1")
 matview=$(realpath "$2")

@@ -1,4 +1,4 @@
-/* A program a function: its chunks, and a main that reads the arguments. */
+/* Makes one program per function: its chunks, and a main that reads the arguments. */
 #include "call.h"
 #include "compiler/emit/chunks.h"
 #include <stdio.h>
@@ -6,7 +6,7 @@
 
 enum { WIDTH = 7, HEIGHT = 5, BYTES = 4 * WIDTH * HEIGHT, SIDE = 256, RANDOM_COUNT = 512 };
 
-/* Any bytes, and any numbers about 0. */
+/* Arbitrary bytes, and numbers around 0. */
 #define ROW(a) a, 255 - a, (a * 37) % 256, (a * 91 + 13) % 256
 static const uint8_t picture[BYTES] = {
     ROW(3),   ROW(250), ROW(17),  ROW(128), ROW(99),  ROW(200), ROW(64),  ROW(31),  ROW(77),
@@ -21,7 +21,7 @@ static const float relief[WIDTH * HEIGHT] = {
 const ReferenceTexture call_textures[CALL_TEXTURES] = {
     {.width = WIDTH, .height = HEIGHT, .components = 4, .bytes = picture},
     {.width = WIDTH, .height = HEIGHT, .components = 1, .floats = relief}};
-/* GroIMP's tables, for who asks for them. */
+/* Sets GroIMP's noise tables if the program uses them. */
 static bool set_tables(Material *material)
 {
     static float permutation[SIDE * SIDE], random[4 * RANDOM_COUNT];
@@ -41,7 +41,7 @@ static bool set_tables(Material *material)
            material_set_texture(material, "matc_xor", &specs[2]);
 }
 
-/* `linear`: the function leaves the mixing of texels to the sampler. */
+/* `linear`: the function relies on the sampler's interpolation. */
 static bool set_textures(Material *material, Tuple *tuples, int source, bool linear)
 {
     const ReferenceTexture *t = &call_textures[source];

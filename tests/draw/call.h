@@ -1,5 +1,5 @@
-/* Calls a library function of GLSL with many tuples of arguments at once: one fragment a tuple, the
- * arguments from a texture. */
+/* Calls a GLSL library function with many tuples of arguments at once: one fragment per tuple,
+ * the arguments from a texture. */
 #ifndef MATC_VALUE_CALL_H
 #define MATC_VALUE_CALL_H
 #include "compiler/base/session.h"
@@ -12,10 +12,10 @@
 enum {
     CALL_SIDE = 32,
     CALL_COUNT = CALL_SIDE * CALL_SIDE, /* tuples of a draw */
-    CALL_ARGUMENTS = 16,                /* of a function, at most */
+    CALL_ARGUMENTS = 16,                /* max arguments of a function */
     CALL_COMPONENTS = 4,
-    CALL_TEXTURES = 2,   /* what a sampler argument may be: 0 a picture, 1 a relief */
-    CALL_TEXT = 1 << 17, /* of a program */
+    CALL_TEXTURES = 2,   /* textures for sampler arguments: 0 a picture, 1 a relief */
+    CALL_TEXT = 1 << 17, /* capacity of a program's text */
 };
 
 typedef float Tuple[CALL_ARGUMENTS][CALL_COMPONENTS];
@@ -26,20 +26,20 @@ typedef struct {
     Store *store;
     Screen screen;
     Framebuffer floats, words;
-    char text[CALL_TEXT]; /* of the last function that was gathered */
+    char text[CALL_TEXT]; /* text of the function gathered last */
     char error[4096];
 } Caller;
 
-/* False: see error. Close it in any case. */
+/* Returns false with a message in `error`. Close it in any case. */
 bool caller_open(Caller *caller, Target target);
 void caller_close(Caller *caller);
 /* Texels of the textures, for the references. */
 extern const ReferenceTexture call_textures[CALL_TEXTURES];
 
-/* The function and what it needs, for the job's choices, into `text`: what call_draw will
- * compile. */
+/* Gathers the function and its dependencies, for the job's choices, into `text`, which call_draw
+ * compiles. */
 bool call_gather(Caller *caller, int function, const Job *job);
-/* CALL_COUNT results, a word as its number. A sampler argument is the texture's number in the first
- * tuple. */
+/* Computes CALL_COUNT results, with words converted to numbers. A sampler argument is the
+ * texture's number in the first tuple. */
 bool call_draw(Caller *caller, int function, Tuple *tuples, double (*results)[CALL_COMPONENTS]);
 #endif

@@ -1,4 +1,4 @@
-/* One program a drawing: its functions as chunks.c gathers them, and a line of main. */
+/* Makes one program per drawing: its functions as chunks.c gathers them, and a line of main. */
 #include "canvas.h"
 #include "compiler/emit/chunks.h"
 #include "runtime/gl/program.h"
@@ -84,7 +84,7 @@ static GLuint make_program(Canvas *c, const Drawing *d, bool words)
                                               .fragment = {head, library, body}});
 }
 
-/* The program, with all that it reads. 0: see error. */
+/* Compiles the program and sets its inputs. 0: see error. */
 static GLuint prepare(Canvas *c, const Drawing *d, const Framebuffer *target)
 {
     GLuint program = make_program(c, d, framebuffer_has_words(target, 0));
@@ -137,7 +137,7 @@ double canvas_time(Canvas *c, const Drawing *d, const Framebuffer *target, int r
         screen_draw(c->gl, &c->screen);
         c->gl->Finish();
         double took = now() - start;
-        least = i && took < least ? took : least; /* the first draw compiles */
+        least = i && took < least ? took : least; /* the first draw includes compiling */
     }
     return finish(c, program) ? least : -1;
 }

@@ -1,5 +1,5 @@
-/* Draws expressions of matc's library functions over a square: what a GLSL function makes of every
- * code there is. */
+/* Draws expressions of matc's library functions over a square, for example a decoding function
+ * for every code. */
 #ifndef MATC_VALUE_CANVAS_H
 #define MATC_VALUE_CANVAS_H
 #include "grammar/tables.h"
@@ -15,26 +15,27 @@ typedef struct {
     char error[4096];
 } Canvas;
 
-/* The drawing: `expression`, a vec4 or, for a target of words, a uvec4, of
+/* A drawing: `expression`, a vec4 or, for a target of words, a uvec4, of
  *     uint index    the pixel's number, counted from `first`
- *     vec4 t        the texel there of `source`, of floats; or uvec4 w where it is one of words */
+ *     vec4 t        the texel of `source` at the pixel; uvec4 w if `source` has words */
 typedef struct {
-    /* names of library functions, a space between; what they need comes along */
+    /* names of library functions, separated by spaces; dependencies are added */
     const char *functions;
     const char *expression;
     unsigned first;
-    const Framebuffer *source; /* its target is read, or NULL */
-    GLuint texture;            /* of floats, is read where there is no source; or 0 */
+    const Framebuffer *source; /* its target is read; or NULL */
+    GLuint texture;            /* float texture that is read if there is no source; or 0 */
 } Drawing;
 
-/* The GLSL 3.30 of library functions and of what they need, users last, by the first choice of
- * every axis but that of `choice`, which may be NULL. False: there is no such function. */
+/* The GLSL 3.30 of library functions and their dependencies, dependencies first, with the first
+ * choice of every axis except that of `choice`, which may be NULL. Returns false for an unknown
+ * function. */
 bool canvas_library(const char *functions, const Choice *choice, char *library, size_t capacity);
 
-/* False: see error. Close it in any case. */
+/* Returns false with a message in `error`. Close it in any case. */
 bool canvas_open(Canvas *canvas, int side);
 void canvas_close(Canvas *canvas);
 bool canvas_draw(Canvas *canvas, const Drawing *drawing, const Framebuffer *target);
-/* Seconds of the fastest of so many draws; below 0: see error. */
+/* Seconds of the fastest of `repeats` draws; below 0: see error. */
 double canvas_time(Canvas *canvas, const Drawing *drawing, const Framebuffer *target, int repeats);
 #endif

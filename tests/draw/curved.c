@@ -1,5 +1,5 @@
-/* The ball's curvature is 1 all over, the torus' 1 / r around the tube and cos b / (R + r cos b)
- * around the axis. */
+/* The ball's curvature is 1 all over; the torus' is 1 / r around the tube and cos b / (R + r cos
+ * b) around the axis. */
 #include "tests/draw/curved.h"
 #include "tests/vectors.h"
 #include <math.h>
@@ -12,8 +12,8 @@ static void set(Surface *surface, Group group, const double v[3])
     memcpy(&surface->root[channel_id(group, 0)], v, 3 * sizeof *v);
 }
 
-/* A point of the base: where it is, its normal, the directions in which it bends, each of length 1,
- * and how much. */
+/* A point of the base: its position, normal, unit directions of principal curvature, and the
+ * curvatures. */
 typedef struct {
     double at[3], n[3], along[2][3], bends[2];
 } Base;
@@ -42,8 +42,8 @@ static Base base_near(CurvedBody body, const double place[3])
     return base_at(body, atan2(place[1], place[0]), atan2(place[2], across));
 }
 
-/* Second derivatives of ((R + r cos b) cos a, (R + r cos b) sin a, r sin b), a = 2 pi u, b of v
- * likewise, of a ball half as fast. */
+/* Second derivatives of ((R + r cos b) cos a, (R + r cos b) sin a, r sin b), a = 2 pi u and b =
+ * 2 pi v; for a ball b advances half as fast. */
 static void set_turns(CurvedBody body, double a, double b, double slopes[2][2][3])
 {
     const bool ball = body != CURVED_torus;
@@ -59,8 +59,8 @@ static void set_turns(CurvedBody body, double a, double b, double slopes[2][2][3
     }
 }
 
-/* With s = 2 pi u + twist v and t = v what the ball's longitude and way are of: d/dv = twist / (2
- * pi) d/du + d/dv of the ball. A ball's normal is its place. */
+/* With s = 2 pi u + twist v and t = v the ball's longitude and pole-to-pole parameter: d/dv =
+ * twist / (2 pi) d/du + d/dv of the ball. A ball's normal is its position. */
 static void twist_surface(Surface *surface, double tangent[2][3])
 {
     const double k = twist / (2 * M_PI);
@@ -127,7 +127,7 @@ void curved_normal(CurvedBody body, double scale, const double place[3], bool st
         normal[i] /= size;
 }
 
-/* The three components, and how they change along a direction. */
+/* The three components of the displacement vector, and their derivatives along a direction. */
 static void vector_at(const double p[3], double scale, double components[3])
 {
     components[0] = scale * sin(3 * p[0] + 1) * cos(2 * p[1] + p[2]);
@@ -146,7 +146,7 @@ static void vector_along(const double p[3], const double way[3], double scale, d
         components[i] = scale * dot(gradients[i], way);
 }
 
-/* The twisted ball's point at (s, v), s = 2 pi u, moved along its unit tangents and normal. */
+/* The twisted ball's point at (s, v), s = 2 pi u, displaced along its unit tangents and normal. */
 static void moved_twisted(double s, double v, double scale, double at[3])
 {
     const Base base = base_at(CURVED_twisted, s + twist * v, M_PI * (v - 0.5));

@@ -1,4 +1,4 @@
-/* Contexts, points, and what is drawn with them. */
+/* Creates contexts, uploads points, and draws programs at them. */
 #include "draw.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -15,7 +15,7 @@ static bool fail(Drawer *d, const char *text)
 
 static int height_of(const Drawer *d) { return d->width == GRID_WIDTH ? GRID_HEIGHT : d->width; }
 
-/* Middle of the pixel of point i in clip space, moved by a part of a pixel. */
+/* The center of the pixel of point i in clip space, offset by `part` pixels. */
 static FieldVertex vertex_of(const Drawer *d, int i, const double part[2], const Point *point)
 {
     FieldVertex vertex = {.at = {(float)(2 * (i % d->width + 0.5 + part[0]) / d->width - 1),
@@ -25,7 +25,7 @@ static FieldVertex vertex_of(const Drawer *d, int i, const double part[2], const
     return vertex;
 }
 
-/* The triangles turn clockwise: their back is seen. */
+/* The triangles are clockwise, so their backs are visible. */
 static bool upload(Drawer *d, const Point *points)
 {
     static const double middle[2] = {0, 0},
@@ -74,7 +74,7 @@ void drawer_close(Drawer *d)
         return;
     gl_use(d->gl);
     store_free(d->store);
-    gl_close(d->gl); /* and the rest with it */
+    gl_close(d->gl); /* deletes its objects, too */
     *d = (Drawer){0};
 }
 
@@ -114,7 +114,7 @@ bool drawer_material(Drawer *d, const Shading *shading, Material *made)
     return true;
 }
 
-/* Framebuffer rows are those of the grid. */
+/* Rows of the framebuffer are rows of the grid. */
 static bool draw(Drawer *d, Material *material, const Field *field, const Framebuffer *target)
 {
     framebuffer_clear(d->gl, target, (float[4]){-12345, -12345, -12345, -12345});

@@ -1,4 +1,4 @@
-/* Programs that write and read a layout, in the GLSL of any target. */
+/* Makes programs that write and read a layout, in the GLSL of any target. */
 #include "gbuffer.h"
 #include "compiler/pipeline.h"
 #include <stdio.h>
@@ -12,7 +12,7 @@ static bool fail(Gbuffer *g, const char *text)
 static bool make_all(Gbuffer *g)
 {
     GlContext *gl = g->drawer->gl;
-    const FramebufferSpec spec = g->drawer->target.spec; /* of its size */
+    const FramebufferSpec spec = g->drawer->target.spec; /* same size as the drawer's target */
     const ReaderSource source = {g->unpack, g->shading.target, g->layout, spec.width, spec.height};
     if (!drawer_material(g->drawer, &g->shading, &g->writer))
         return fail(g, g->drawer->error);

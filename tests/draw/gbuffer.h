@@ -7,8 +7,8 @@
 #include "runtime/gpu_material/reader.h"
 
 typedef struct {
-    Drawer *drawer;       /* its points are drawn */
-    MatcProgram *program; /* NULL: of a layout that is not built in */
+    Drawer *drawer;       /* draws its points */
+    MatcProgram *program; /* NULL for a layout that is not built in */
     const char *unpack;
     const LayoutRow *layout;
     Framebuffer targets;
@@ -18,15 +18,16 @@ typedef struct {
     char error[4096];
 } Gbuffer;
 
-/* Compiles a material of the document with the options. False: see error. Close it in any case. */
+/* Compiles a material of the document with the options. Returns false with a message in `error`.
+ * Close it in any case. */
 bool gbuffer_open(Gbuffer *g, Drawer *drawer, const Document *document, int material,
                   const MatcOptions *options);
-/* The first material with any layout, for a document without uniforms; its options' layout does not
- * count. */
+/* Compiles the first material with any layout, for a document without uniforms; the layout of
+ * the options is ignored. */
 bool gbuffer_open_layout(Gbuffer *g, Drawer *drawer, Document *document, const LayoutRow *layout,
                          const MatcOptions *options);
 void gbuffer_close(Gbuffer *g);
 bool gbuffer_draw(Gbuffer *g, bool front);
-/* Unpacks a slot that the layout has: four floats a point. */
+/* Unpacks a slot of the layout: four floats per point. */
 bool gbuffer_read(Gbuffer *g, Slot slot, float *rgba);
 #endif

@@ -1,4 +1,4 @@
-/* Values before and after a G-buffer. */
+/* Compares slot values before and after storage in a G-buffer. */
 #include "kept.h"
 #include "compiler/layout/layout.h"
 #include "compiler/pipeline.h"
@@ -9,9 +9,9 @@
 typedef struct {
     Kept *kept;
     const LayoutRow *layout;
-    const CaseRow *fields; /* of the case that was drawn */
-    int count;             /* points */
-    float *want, *got;     /* four a point */
+    const CaseRow *fields; /* fields of the case that was drawn */
+    int count;             /* number of points */
+    float *want, *got;     /* four floats per point */
 } Comparison;
 
 static bool fail(Comparison *c, SlotComponent at, double want, double got, double bound)
@@ -36,8 +36,8 @@ static const FieldRow *field_of(const Comparison *c, Slot slot, int component)
     return NULL;
 }
 
-/* The field's error, of the value or, where components share an exponent, of the greatest; `least`:
- * what has no code near. */
+/* The field's error bound, relative to the value, or to the greatest component if components
+ * share an exponent; `least`: error of values without a code nearby. */
 static double bound_of(const FieldRow *field, Slot slot, int component, const float *want)
 {
     const double high = field_high(field),
@@ -59,7 +59,8 @@ static bool compare_component(Comparison *c, Slot slot, int component, const flo
     const FixedRow *fixed = layout_fixed(c->layout, slot);
     const FieldRow *field = field_of(c, slot, component);
     const double value = within(want[component], row->low, row->high);
-    double bound = 1e-5 * fmax(1, fabs(value)); /* a constant, or one that this case leaves out */
+    /* a constant, or a slot that this case leaves out */
+    double bound = 1e-5 * fmax(1, fabs(value));
     if (field && encoding_table[field->encoding].unit == UNIT_degrees)
         return true;
     if (field && !fixed)
@@ -70,7 +71,7 @@ static bool compare_component(Comparison *c, Slot slot, int component, const flo
            fail(c, (SlotComponent){slot, component}, value, got, bound);
 }
 
-/* A slot that the layout leaves out is as absent. */
+/* Compares a slot; one that the layout leaves out must have the absent value. */
 static bool compare_slot(Comparison *c, Slot slot)
 {
     const SlotRow *row = &slot_table[slot];
@@ -87,7 +88,7 @@ static bool compare_slot(Comparison *c, Slot slot)
     return true;
 }
 
-/* The slots themselves: the pass value, all points. */
+/* Draws the slot values themselves at all points, with the pass value. */
 static bool draw_values(Comparison *c, Drawer *drawer, const KeptMaterial *material, Slot slot)
 {
     MatcOptions own = *material->options;

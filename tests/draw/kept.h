@@ -7,22 +7,22 @@
 typedef struct {
     int materials, fields;
     long values;
-    double worst; /* share of its bound that an error took */
-    int drawn[8]; /* materials by the case that they took */
+    double worst; /* greatest error as a share of its bound */
+    int drawn[8]; /* number of materials by layout case */
     char error[1024];
 } Kept;
 
-/* A document's material, compiled with these options. */
+/* A document's material, and its compile options. */
 typedef struct {
     Document *document;
     int material;
     const MatcOptions *options;
 } KeptMaterial;
 
-/* Draws a material's slots and its G-buffer, at the drawer's points, and compares each slot that
- * matters with what comes back: as far as its field promises; where the layout has none, as absent.
- * `matters` NULL: those that the layout has. Normals are another test's. The drawer has POINT_COUNT
- * points. False: see error. */
+/* Draws a material's slots and its G-buffer at the drawer's points, and compares each slot that
+ * matters with the unpacked value, within its field's bound; a slot that the layout lacks must
+ * be absent. `matters` NULL: all slots of the layout. Normals are excluded (another test
+ * compares them). The drawer has POINT_COUNT points. Returns false with a message in `error`. */
 bool kept_check(Kept *kept, Drawer *drawer, const KeptMaterial *material,
                 const bool matters[SLOT_COUNT]);
 #endif

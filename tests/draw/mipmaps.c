@@ -7,7 +7,7 @@
 
 enum { NOWHERE = -1 };
 
-/* Any, far from each other. */
+/* An arbitrary byte that differs much from its neighbors. */
 static uint8_t byte_at(int column, int row, int component)
 {
     return (uint8_t)(61 * column * column + 87 * row + 149 * column * row + 83 * component + 17);
@@ -48,8 +48,8 @@ bool mipmaps_write(Mipmaps *m, int side, const char *folder)
     return !why;
 }
 
-/* The texel that a whole number stands for, by walking there from the picture's own; NOWHERE:
- * none. */
+/* The texel index of an integer coordinate under an address mode, by walking there from the
+ * picture; NOWHERE outside of a border. */
 static int wrapped(Address address, double place, int side)
 {
     int texel = (int)floor(place);

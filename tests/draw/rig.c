@@ -33,7 +33,7 @@ void rig_free(Rig *s)
     free(s);
 }
 
-/* Without the test no depth is written. */
+/* GL writes no depth while the depth test is disabled */
 bool rig_begin(Rig *s, const Framebuffer *target)
 {
     if (!gl_use(s->gl))
@@ -69,7 +69,7 @@ bool rig_draw(Rig *s, Scene *scene, const Space *space, const Mesh *mesh, const 
     return rig_finish(s, target);
 }
 
-/* Scenes are of the layout "thesis". */
+/* Scenes have the layout "thesis". */
 bool rig_unpack(Rig *s, const Scene *scene, const Framebuffer *source)
 {
     Reader reader;

@@ -1,4 +1,4 @@
-/* Pictures are shifted in place, and put back. */
+/* Shifts the texels of pictures in place, and restores them. */
 #include "sampler.h"
 #include <stdlib.h>
 #include <string.h>
@@ -39,7 +39,7 @@ void sampler_widen(Oracle *oracle, const Graph *graph, int material, const Point
 {
     static const int signs[][COMPONENTS] = {{1, 1, 1, 1},   {-1, -1, -1, -1}, {1, -1, 1, -1},
                                             {-1, 1, -1, 1}, {1, 1, -1, -1},   {-1, -1, 1, 1},
-                                            {0, 0, 0, 0}}; /* the last one puts them back */
+                                            {0, 0, 0, 0}}; /* the last shift restores the texels */
     void **kept = calloc((size_t)graph->image_count + 1, sizeof *kept);
     if (!kept)
         abort();

@@ -53,7 +53,7 @@ static void normalize(double a[3])
         a[i] /= length;
 }
 
-/* The camera's axes are the rows of eye_from_world; no matrix is inverted here. */
+/* Uses the camera's axes, the rows of eye_from_world; inverts no matrix. */
 static void aim(const Space *space, double x, double y, double ray[3])
 {
     double eye[3] = {x / space->clip_from_eye.m[0], y / space->clip_from_eye.m[5], -1};
@@ -165,8 +165,8 @@ bool scene_open(Scene *scene, Store *store, const char *text, const SceneOptions
     scene->options.slot = options->slot;
     scene->options.target = options->target;
     scene->options.normals = options->normals;
-    scene->options.aa = options->aa ? options->aa : "none"; /* points, which the oracle has */
-    /* floats, which are compared as they are */
+    scene->options.aa = options->aa ? options->aa : "none"; /* point values, like the oracle's */
+    /* floats, compared unchanged */
     scene->options.layout = "thesis";
     scene->options.check = true;
     if (!read_document(scene, text))

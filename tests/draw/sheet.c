@@ -1,4 +1,4 @@
-/* Varyings as planes over the pixels; one program a draw. */
+/* Varyings as linear functions over the pixels; one program per draw. */
 #include "sheet.h"
 #include <stdio.h>
 #include <string.h>
@@ -45,7 +45,7 @@ void sheet_surface(const ContactSheet *sheet, int pixel, double right, double up
                 varying(sheet, (int)input[group], component, right, up);
 }
 
-/* The corners of drawer_fill, in pixels from the middle of the lower left one. */
+/* The corners of drawer_fill, in pixels relative to the center of the lower left one. */
 static void find_corners(const ContactSheet *sheet, Point corners[3])
 {
     for (int corner = 0; corner < 3; corner++)
@@ -90,7 +90,7 @@ static bool fail(Filtered *filtered, const char *text)
 bool filtered_open(Filtered *f, Drawers *drawers)
 {
     MatcOptions options;
-    /* where Phong takes its normal from */
+    /* the parameter of Phong that holds the normal */
     const char *param = strcmp(f->slot, "normal") ? f->slot : "input";
     snprintf(f->text, sizeof f->text, "material: Phong\n%s: %s\n", param, f->map);
     if (!document_open_text(&f->document, f->text))

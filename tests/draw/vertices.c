@@ -1,10 +1,10 @@
-/* Attributes, and their transforms by the definitions. */
+/* Vertex attributes, and their transforms by the definitions. */
 #include "vertices.h"
 #include <math.h>
 
 float spread(int index) { return (float)(4 * fmod((index + 1) * 0.6180339887498949, 1) - 2); }
 
-/* A position in the middle of a pixel. */
+/* Places a vertex at a pixel's center. */
 static void place(Vertices *vertices, int i, const Mat4 *local_from_clip, int side)
 {
     int x = i % 8 * 8 + 5, y = i / 8 * 8 + 3;
@@ -16,7 +16,7 @@ static void place(Vertices *vertices, int i, const Mat4 *local_from_clip, int si
     vertices->pixel[i] = y * side + x;
 }
 
-/* Positions and tangents by the matrix. */
+/* Transforms positions and tangents by the matrix. */
 static void transform(Surface *surface, Group group, const Mat4 *world_from_local,
                       const float local[3])
 {
@@ -27,7 +27,7 @@ static void transform(Surface *surface, Group group, const Mat4 *world_from_loca
         surface_set3(surface, GROUP_X, from);
 }
 
-/* Normals by the transpose of its inverse. */
+/* Transforms normals by the inverse transpose. */
 static void transform_normal(Surface *surface, const Mat4 *local_from_world, const float local[3])
 {
     double world[3] = {0};

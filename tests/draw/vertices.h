@@ -1,5 +1,5 @@
-/* Vertices that are drawn as points, one a pixel: what a vertex program makes of their attributes
- * is not interpolated. */
+/* Vertices drawn as points, one per pixel, so that the outputs of a vertex program are read back
+ * without interpolation. */
 #ifndef MATC_VALUE_VERTICES_H
 #define MATC_VALUE_VERTICES_H
 #include "runtime/gl/mesh.h"
@@ -8,16 +8,17 @@
 enum { VERTICES = 64 };
 typedef struct {
     ShapeVertex vertex[VERTICES]; /* attributes of any length and angle */
-    Surface surface[VERTICES];    /* what they are in the world */
-    int pixel[VERTICES];          /* where they are drawn in a picture */
+    Surface surface[VERTICES];    /* expected world space values */
+    int pixel[VERTICES];          /* pixels at which they are drawn */
     GLuint array, buffer;
 } Vertices;
 
-/* In [-2, 2), spread evenly. */
+/* Evenly spread numbers in [-2, 2). */
 float spread(int index);
-/* `side` is that of the picture in pixels, at least 64. The space's matrices can be inverted. */
+/* `side` is the picture's width and height in pixels, at least 64. The matrices of the space
+ * must be invertible. */
 void vertices_make(Vertices *vertices, const Space *space, int side);
-/* To be drawn by a context. */
+/* Uploads the vertices to a context. */
 void vertices_upload(Vertices *vertices, const GlContext *gl);
 void vertices_draw(const Vertices *vertices, const GlContext *gl);
 void vertices_delete(Vertices *vertices, const GlContext *gl);

@@ -1,14 +1,15 @@
-/* Prints the polynomials of runtime/surface/surface_anisotropic.glsl, and how far they are from the
- * integrals that they are fitted to: of GGX whose widths are a along a direction and b across it,
- * what facets lose and the fifth root of what grazes.
+/* Prints the polynomials of runtime/surface/surface_anisotropic.glsl, and their errors against
+ * the integrals that they fit: for GGX with widths a along a direction and b across it, the
+ * energy lost to single scattering and the fifth root of the grazing term.
  *
- *     build/tests/fit_anisotropy          # half a minute
+ *   build/tests/fit_anisotropy          # half a minute
  *
- * Seen from an azimuth, what is lost depends on the angle and the widths along the view and across
- * it, nearly alone. With 2 r^4 = a^2 + b^2 and k = (a^2 - b^2) / (a^2 + b^2), the first is r^2 g,
- * g^2 = 1 + k (v.x^2 - v.y^2), v the direction to the eye, x along: a polynomial in a number x of
- * the angle, in g and in p, r^2 or r; and of lower degrees, times 1 - k^2, the rest. A line is four
- * numbers, of powers of g from 0 on; lines go by powers of p, and these by powers of x. */
+ * For a view azimuth, the loss depends almost only on the angle and on the widths along the view
+ * and across it. With 2 r^4 = a^2 + b^2 and k = (a^2 - b^2) / (a^2 + b^2), the width along the
+ * view is r^2 g, g^2 = 1 + k (v.x^2 - v.y^2), v the direction to the eye, x along. The fit is a
+ * polynomial in a number x of the angle, in g and in p, r^2 or r; plus one of lower degrees,
+ * times 1 - k^2, for the rest. A printed line has four coefficients, of powers of g from 0 on;
+ * lines are ordered by powers of p, and their groups by powers of x. */
 #include "tests/fits/solve.h"
 #include "tests/vectors.h"
 #include <math.h>
@@ -39,8 +40,8 @@ typedef struct {
     double terms[TERMS];
 } Fit;
 
-/* By facets that are visible (Heitz 2018), at the middles of rings and turns: what facets lose, and
- * of the rest what Schlick's (1 - cosine)^5 has. */
+/* By visible normals (Heitz 2018), at the centers of a grid of rings and azimuths: the energy
+ * that microfacets lose, and the albedo of Schlick's (1 - cosine)^5 relative to the rest. */
 static void integrate(const double eye[3], const double widths[2], double found[2])
 {
     enum { SIDES = 48 };
@@ -122,7 +123,8 @@ static void solve(Fit *fit)
     for (int k = 0; k < TERMS; k++)
         trace += rows[k][k];
     for (int k = 0; k < TERMS; k++)
-        rows[k][k] += 1e-11 * trace / TERMS; /* so that numbers stay small enough for floats */
+        /* regularization, so that coefficients stay small enough for floats */
+        rows[k][k] += 1e-11 * trace / TERMS;
     solve_equations(rows[0], TERMS);
     for (int k = 0; k < TERMS; k++)
         fit->terms[k] = rows[k][TERMS];

@@ -1,16 +1,16 @@
-/* Prints the polynomials of areaMicrofacets() in runtime/surface/surface_microfacets.glsl: linearly
- * transformed cosines that stand for GGX (Heitz, Dupuy, Hill and Neubelt 2016), by roughness and
- * the eye's angle, and how far they are from those that were found.
+/* Prints the polynomials of areaMicrofacets() in runtime/surface/surface_microfacets.glsl:
+ * linearly transformed cosines that approximate GGX (Heitz, Dupuy, Hill and Neubelt 2016), by
+ * roughness and the eye's angle, and their errors against the fitted matrices.
  *
- *     build/tests/fit_area          # a minute
+ *   build/tests/fit_area          # a minute
  *
- * A direction o with density cosine / pi goes to M o, M = [X Y Z] (m11 0 m13; 0 m22 0; 0 0 1), of
- * unit length: Z is the lobe's mean direction, X lies with it in the plane of normal and eye. m11,
- * m22 and m13 make the square of the difference to the lobe least, over directions that either
- * gives. With a = roughness^2, c the eye's cosine and d the angle from Z to the mirrored direction,
- * m11 / a, m22 / (a (c + a)), m13 / a and d / a change little, and are polynomials in the roughness
- * and in x = c (1 + a) / (c + a). A line is these four numbers; lines go by powers of the
- * roughness, and these by powers of x. */
+ * A direction o with density cosine / pi is mapped to M o, M = [X Y Z] (m11 0 m13; 0 m22 0; 0 0
+ * 1), normalized: Z is the lobe's mean direction, X is perpendicular to Z in the plane of normal
+ * and eye. m11, m22 and m13 minimize the squared difference to the lobe, over directions sampled
+ * from either distribution. With a = roughness^2, c the eye's cosine and d the angle from Z to
+ * the mirrored direction, m11 / a, m22 / (a (c + a)), m13 / a and d / a change little, and are
+ * polynomials in the roughness and in x = c (1 + a) / (c + a). A printed line has these four
+ * coefficients; lines are ordered by powers of the roughness, and their groups by powers of x. */
 #include "tests/fits/solve.h"
 #include "tests/vectors.h"
 #include <math.h>
@@ -41,9 +41,9 @@ static double lambda(double alpha, double cosine)
     return (sqrt(1 + alpha * alpha * (1 / (cosine * cosine) - 1)) - 1) / 2;
 }
 
-/* Value of the lobe in a direction, all being 1, and the density by which facets are chosen; 0
- * below the horizon. */
-static double lobe(const Microfacets *f, const double l[3], double *density)
+/* Value of the lobe in a direction, for a Fresnel term of 1, and the density of sampled normals;
+ * 0 below the horizon. */
+static double lobe(const Facets *f, const double l[3], double *density)
 {
     *density = 0;
     if (l[2] <= 0)
@@ -57,8 +57,8 @@ static double lobe(const Microfacets *f, const double l[3], double *density)
     return d / (1 + own + lambda(f->alpha, l[2])) / f->albedo;
 }
 
-/* The mirrored direction by a visible facet (Heitz 2018), of two numbers in (0, 1). */
-static void choose(const Microfacets *f, const double u[2], double l[3])
+/* Reflects at a sampled visible normal (Heitz 2018), by two numbers in (0, 1). */
+static void choose(const Facets *f, const double u[2], double l[3])
 {
     const double x = f->alpha * f->eye[0], size = hypot(x, f->eye[2]),
                  w[2] = {x / size, f->eye[2] / size};
@@ -124,8 +124,8 @@ static double difference(const Microfacets *f, const double m[3])
     return sum;
 }
 
-/* Nelder and Mead's simplex, from m on. */
-static void descend(const Microfacets *f, double step, double m[3])
+/* Nelder and Mead's simplex method, starting at m. */
+static void descend(const Facets *f, double step, double m[3])
 {
     double corner[4][3], value[4];
     for (int i = 0; i < 4; i++) {
@@ -174,7 +174,7 @@ static void descend(const Microfacets *f, double step, double m[3])
     memcpy(m, corner[best], sizeof corner[best]);
 }
 
-/* Rough ones first, each from the one before. */
+/* Rough ones first; each fit starts from the previous one. */
 static int find_samples(Sample *samples)
 {
     double first[3] = {1, 1, 0};
@@ -188,7 +188,7 @@ static int find_samples(Sample *samples)
                          cosine = j == COSINES - 1 ? .01 : 1 - .997 * t * t;
             Microfacets f;
             place(alpha, cosine, &f);
-            if (j == 0) { /* alike all around */
+            if (j == 0) { /* isotropic at normal incidence */
                 for (int k = 0; k < 3; k++)
                     m[k] = first[k] * alpha;
                 if (rough > .2)
@@ -241,7 +241,8 @@ static void solve(const Sample *samples, int count, int part, double solution[TE
     for (int k = 0; k < TERMS; k++)
         trace += rows[k][k];
     for (int k = 0; k < TERMS; k++)
-        rows[k][k] += 1e-12 * trace / TERMS; /* so that numbers stay small enough for floats */
+        /* regularization, so that coefficients stay small enough for floats */
+        rows[k][k] += 1e-12 * trace / TERMS;
     solve_equations(rows[0], TERMS);
     for (int k = 0; k < TERMS; k++)
         solution[k] = rows[k][TERMS];

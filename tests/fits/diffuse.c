@@ -1,17 +1,18 @@
-/* Prints the polynomials of runtime/surface/surface_microfacets.glsl that a rough diffuse base asks
- * for, and how far each is from its integral. With S the sine,
+/* Prints the polynomials of runtime/surface/surface_microfacets.glsl for a rough diffuse base,
+ * and the error of each against its integral. With S the sine,
  *
- *     G(c, k) = S(c) / pi * the integral over c' from 0 to 1 of S(c') (1 / max(c, c') - 1) (1 -
- *         c')^k 2 c' dc'
+ *   G(c, k) = S(c) / pi * the integral over c' from 0 to 1 of
+ *             S(c') (1 / max(c, c') - 1) (1 - c')^k 2 c' dc'
  *
- * is what Fujii's lobe has beyond an even one, in the mean over azimuths, of light that comes in by
- * (1 - c')^k; k is 0 for all of it, 1 for what fuzz takes, nearly, 5 for what Schlick's formula
- * does. J(i, k) is the mean of (1 - c)^i G(c, k) over all directions.
+ * is the part of Fujii's lobe that exceeds a Lambertian one, averaged over azimuths, for light
+ * that arrives weighted by (1 - c')^k; k is 0 for all of the light, 1 for approximately the
+ * share that fuzz takes, 5 for the share of Schlick's formula. J(i, k) is the mean of (1 - c)^i
+ * G(c, k) over all directions.
  *
- *     build/tests/fit_diffuse
+ *   build/tests/fit_diffuse
  *
- * G(1, k) is 0, so that a polynomial in 1 - c has no first term; it is made by least squares,
- * weighed anew where it is off most. */
+ * G(1, k) is 0, so a polynomial in 1 - c has no constant term. The fits are iteratively
+ * reweighted least squares, which lowers the greatest error. */
 #include "tests/fits/solve.h"
 #include "tests/vectors.h"
 #include <math.h>
@@ -20,8 +21,7 @@
 enum { TERMS = 4, ANGLES = 400, STEPS = 2000, ROUNDS = 100, KINDS = 3 };
 static const int power_of[KINDS] = {0, 1, 5};
 
-/* By the middles of steps in the angle above the horizon, whose sine c' is, from one end to the
- * other. */
+/* Midpoint rule over the angle above the horizon, whose sine is c'. */
 static double part(double from, double to, double cosine, int power)
 {
     double sum = 0;

@@ -1,12 +1,12 @@
-/* Prints the numbers of runtime/surface/surface_microfacets.glsl: how components of linear sRGB
- * respond to light whose strength is cos(2 pi way / wavelength), as sums of terms exp(-narrow
- * way^2) cos(turn way), way in micrometres. The CIE's observer of 1931 is as Wyman, Sloan and
- * Shirley (2013) have it; a component's response is 1 for way 0.
+/* Prints the thin film constants of runtime/surface/surface_microfacets.glsl: the response of
+ * linear sRGB components to light of strength cos(2 pi way / wavelength), as sums of terms
+ * exp(-narrow way^2) cos(turn way), with way in micrometers. The CIE's observer of 1931 is that
+ * of Wyman, Sloan and Shirley (2013); a component's response is 1 for way 0.
  *
- *     build/tests/fit_film          # some seconds
+ *   build/tests/fit_film          # some seconds
  *
- * The terms' turns and widths are moved, one after the other, while that makes the sum of squares
- * less; their weights follow by least squares. */
+ * The terms' frequencies and widths are changed in turn while the sum of squares decreases;
+ * their weights follow by linear least squares. */
 #include "tests/fits/solve.h"
 #include "tests/fits/observer.h"
 #include <math.h>
@@ -32,7 +32,7 @@ static void weigh(Fit *f, double (*want)[3])
     for (int component = 0; component < 3; component++) {
         double rows[TERMS * (TERMS + 1)] = {0};
         for (int i = 0; i < WAYS; i++) {
-            const double weight = i ? 1 : 1e4; /* white is white */
+            const double weight = i ? 1 : 1e4; /* the sums must give white for way 0 */
             for (int a = 0; a < TERMS; a++) {
                 for (int b = 0; b < TERMS; b++)
                     rows[a * (TERMS + 1) + b] +=
@@ -53,7 +53,7 @@ static void weigh(Fit *f, double (*want)[3])
     }
 }
 
-/* By a sum over wavelengths. */
+/* Response of the components, as a sum over wavelengths. */
 static void respond(double way, double components[3])
 {
     double sum[3] = {0}, white[3] = {0}, one[3];

@@ -1,5 +1,5 @@
-/* How the components of linear sRGB weigh wavelengths: the CIE's observer of 1931, fitted by
- * Gaussians of two widths (Wyman, Sloan and Shirley 2013), and sRGB's matrix. */
+/* Weights of wavelengths in the components of linear sRGB: the CIE's observer of 1931, fitted by
+ * two-sided Gaussians (Wyman, Sloan and Shirley 2013), and sRGB's matrix. */
 #ifndef FITS_OBSERVER_H
 #define FITS_OBSERVER_H
 #include <math.h>

@@ -1,11 +1,12 @@
-/* Prints the polynomials of runtime/surface/surface_microfacets.glsl, and how far each is from the
- * integrals that it is fitted to: what facets lose and what grazes, by roughnessOf(); what a white
- * rough mirror lacks below a coat and below fuzz, by coatSpread() and fuzzSpread().
+/* Prints the polynomials of runtime/surface/surface_microfacets.glsl, and the error of each
+ * against the integrals that it fits: the energy lost by microfacets and the grazing term, by
+ * roughnessOf(); the energy that a white rough mirror lacks below a coat and below fuzz, by
+ * coatSpread() and fuzzSpread().
  *
- *     build/tests/fit_principled          # some seconds
+ *   build/tests/fit_principled          # some seconds
  *
- * A row is a power of x, a column one of r. Fits are least squares of `scale` times the polynomial,
- * weighed anew where they are off most. */
+ * A row is a power of x, a column one of r. Fits are iteratively reweighted least squares of
+ * `scale` times the polynomial, which lowers the greatest error. */
 #include "tests/fits/solve.h"
 #include "tests/vectors.h"
 #include <math.h>
@@ -16,15 +17,15 @@ enum { DEGREES = 6, TERMS = DEGREES * DEGREES, MAX_SAMPLES = 8192 };
 
 typedef struct {
     double r, x, value, scale, weight;
-    double allowed;      /* an error of which weighs it twice, about */
-    double share, power; /* what is off is share |p^power - value^power| */
+    double allowed;      /* an error of this size about doubles the weight */
+    double share, power; /* the error is share |p^power - value^power| */
 } Sample;
 
 typedef struct {
     Sample samples[MAX_SAMPLES];
     int count;
     double terms[TERMS];
-    double ridge, keep; /* of a weight, at each step */
+    double ridge, keep; /* regularization; share of a weight kept at each step */
 } Fit;
 
 static double term(int k, const Sample *s)
@@ -78,7 +79,7 @@ static void run(Fit *fit, const char *name, int steps, double raise)
     }
     for (int i = 0; i < fit->count; i++)
         worst = fit->samples[i].allowed > 0 ? fmax(worst, error_of(fit, &fit->samples[i])) : worst;
-    /* below what white lacks, most is lost where a dielectric grazes: its side is erred on */
+    /* below the white mirror's loss, most light is lost at grazing dielectrics: err on that side */
     fit->terms[0] += raise;
     printf("%s: within %.4f\n", name, worst);
     for (int k = 0; k < TERMS; k++)
@@ -89,13 +90,13 @@ static void run(Fit *fit, const char *name, int steps, double raise)
 
 enum { MAX_RAYS = 96 * 64 };
 typedef struct {
-    /* cosines, and what comes from there of all that is sent */
+    /* cosines, and shares of all light sent */
     double light[MAX_RAYS], share[MAX_RAYS];
     int count;
-    double all, grazing; /* the sum, and of it by Schlick's (1 - cosine)^5 */
+    double all, grazing; /* the sum, and the sum weighted by Schlick's (1 - cosine)^5 */
 } Rays;
 
-/* By facets that are visible (Heitz 2018), at the middles of rings and turns. */
+/* By visible normals (Heitz 2018), at the centers of a grid of rings and azimuths. */
 static void find_rays(double cosine, double alpha, const int sides[2], Rays *rays)
 {
     const double vx = sqrt(fmax(1 - cosine * cosine, 0)), size = hypot(alpha * vx, cosine),
@@ -155,7 +156,7 @@ static void fit_albedos(void)
 
 enum { STEPS = 40, LAYERS = 6, BASES = 20 };
 typedef struct {
-    /* at cosines ((i + 1/2) / STEPS)^2; how much of the polynomial it is */
+    /* at cosines ((i + 1/2) / STEPS)^2; weight of the polynomial */
     double through[STEPS], mean, share;
 } Layer;
 
@@ -215,7 +216,7 @@ static void make_fuzz(double rough, Layer *layer)
     find_mean(layer);
 }
 
-/* veil() of one direction, by evenOf(). */
+/* veil() for one direction, by evenOf(). */
 static double veil(const Layer *layer, double through, double rough, double cosine)
 {
     const double x = fmin(fmax((rough - .05) / (.3 + .9 * sqrt(cosine)), 0), 1);

@@ -1,4 +1,4 @@
-/* Linear equations, for fits. */
+/* Solver of linear equations for fits. */
 #ifndef FITS_SOLVE_H
 #define FITS_SOLVE_H
 /* Solves `count` equations, rows of count + 1 numbers whose last is the right side, by Gauss and

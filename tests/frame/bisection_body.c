@@ -1,4 +1,4 @@
-/* Bodies that compute stages bisect, for tests. */
+/* Runs bisection by compute stages for tests. */
 #include "tests/frame/bisection_body.h"
 #include "tests/frame/frame_draw.h"
 #include <math.h>
@@ -51,7 +51,7 @@ void bisection_body_look(SceneCamera *camera, int view, int views, double distan
 
 void bisection_body_fresh(BisectionBody *b)
 {
-    Displaced before = b->displaced; /* whose programs are kept */
+    Displaced before = b->displaced; /* its programs are reused */
     if (b->mesh.array)
         mesh_delete(b->gl, &b->mesh);
     assert_true(mesh_make_captured(b->gl, &b->mesh));
@@ -127,7 +127,7 @@ uint64_t *bisection_body_leaves(BisectionBody *b, int *count)
     return leaves;
 }
 
-/* How many of either are not in the other. */
+/* Number of elements of either set that are missing in the other. */
 int bisection_body_others(const uint64_t *a, int a_count, const uint64_t *b, int b_count)
 {
     int i = 0, k = 0, count = 0;

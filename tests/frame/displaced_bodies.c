@@ -1,4 +1,4 @@
-/* Bodies that are displaced, and views of them. */
+/* Displaced meshes, and views of them. */
 #include "tests/frame/displaced_bodies.h"
 #include "tests/frame/frame_compare.h"
 #include "tests/frame/frame_draw.h"
@@ -49,7 +49,7 @@ Scene *displaced_body(int body, const char *how, const MatcOptions *options,
 
 Scene *displaced_drawn(GlContext *gl, int body, const char *how, MatcDocument **document)
 {
-    /* an edge is drawn with coverage: so its triangles come back */
+    /* a draw call captures the triangles */
     const MatcOptions options = frame_exact_options();
     Scene *scene = displaced_body(body, how, &options, document);
     free(frame_floats(gl, scene,
@@ -109,7 +109,7 @@ static bool shown(const float *light, int x, int y)
     return light[4 * (y * DISPLACED_EDGE + x)] > .1f;
 }
 
-/* Two pixels from its outline, which coarse triangles have elsewhere. */
+/* Two pixels from the outline, because coarse triangles have another outline. */
 int displaced_holes(const float *light, const float *whole, long *within)
 {
     enum { AWAY = 2, SIDE = 2 * AWAY + 1 };

@@ -9,7 +9,7 @@ float exact_cell_number(const uint32_t *head, int word)
     return number;
 }
 
-/* By the light's axes. */
+/* Coordinates along the light's axes. */
 static void place_of(const uint32_t *head, const double at[3], double place[3])
 {
     const bool placed = exact_cell_number(head, EXACT_LISTS_PLACED) > 0;
@@ -46,7 +46,7 @@ long exact_cell_of(const uint32_t *head, const double at[3])
            (long)((x * .5 + .5) * (double)size);
 }
 
-/* Keeps what has component <= to z; with sign -1: component >= -to z. */
+/* Clips to component <= to * z; with sign -1: component >= -to * z. */
 static void clip(ExactPolygon *polygon, int component, double sign, double to)
 {
     ExactPolygon kept = {.count = 0};

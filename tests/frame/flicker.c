@@ -2,7 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const float bright = 1e-7f; /* below, nothing could arrive */
+static const float bright = 1e-7f; /* below, no light could arrive */
 
 bool flicker_open(int pixels, Flicker *made)
 {

@@ -1,4 +1,4 @@
-/* Every function that counts stands before the driver's. */
+/* Wrappers of GL functions, which count and then call the driver's function. */
 #include "tests/frame/frame_calls.h"
 
 FrameCalls frame_calls;

@@ -1,4 +1,4 @@
-/* Pictures against the reference: the spread of what their pixels are off. */
+/* Compares pictures with the reference: the distribution of the pixels' errors. */
 #ifndef MATC_FRAME_COMPARE_H
 #define MATC_FRAME_COMPARE_H
 #include "tests/frame_reference/reference_light.h"
@@ -12,7 +12,7 @@ static inline int ascending(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Differences at pixels spread evenly: those on objects, outside of the band along edges. */
+/* Errors at evenly spread pixels that show objects, except in a band along edges. */
 typedef struct {
     double differences[1 << 16];
     int count, lit;
@@ -33,7 +33,7 @@ static inline void add_sample(Spread *spread, const Sample *sample, const float 
     spread->lit += bright > 1e-3;
 }
 
-/* Whether half of them are within `median`, and 99.9 % within 1e-4. */
+/* True if half of the errors are within `median`, and 99.9 % within 1e-4. */
 static inline bool is_close(const char *name, double median, Spread *spread)
 {
     qsort(spread->differences, (size_t)spread->count, sizeof *spread->differences, ascending);
@@ -42,11 +42,11 @@ static inline bool is_close(const char *name, double median, Spread *spread)
     print_message("%-14s %5d pixels, median %.2g, 99.9 %% within %.2g\n", name, spread->count,
                   middle, most);
     assert_true(spread->count > 900);
-    assert_true(spread->lit > spread->count * 2 / 3); /* black would prove nothing */
+    assert_true(spread->lit > spread->count * 2 / 3); /* a black picture would prove nothing */
     return middle <= median && most <= 1e-4;
 }
 
-/* A fifth of a picture's pixels. */
+/* Compares a fifth of a picture's pixels. */
 static inline void compare(const Scene *scene, const MatcOptions *options, const float *rgba,
                            Spread *spread)
 {

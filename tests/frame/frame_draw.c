@@ -1,4 +1,4 @@
-/* Steps that many tests of frames share. */
+/* Steps that many frame tests share. */
 #include "tests/frame/frame_draw.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -88,7 +88,7 @@ float *frame_floats(GlContext *gl, const Scene *scene, const RendererOptions *op
     return rgba;
 }
 
-/* Puts a tile that begins at a pixel into a picture. */
+/* Copies a tile into a picture, at its first pixel. */
 static void put_tile(const Renderer *renderer, const float *tile, const int at[2], float *picture)
 {
     const int width = renderer_width(renderer), height = renderer_height(renderer),

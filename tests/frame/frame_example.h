@@ -1,20 +1,20 @@
-/* Scenes of examples/scenes as tests draw them. */
+/* Scenes of examples/scenes, prepared as tests draw them. */
 #ifndef MATC_FRAME_EXAMPLE_H
 #define MATC_FRAME_EXAMPLE_H
 #include "runtime/scene/scene.h"
 
-/* Reads examples/scenes/NAME.yaml, `width` pixels wide in its own proportions. A fault ends the
- * test. frame_forget() frees both. */
+/* Reads examples/scenes/NAME.yaml with the width `width` and the original aspect ratio. An error
+ * ends the test. frame_forget() frees both results. */
 Scene *frame_example(const char *name, int width, const MatcOptions *options,
                      MatcDocument **document);
-/* Its text, from malloc. */
+/* The example's text, from malloc. */
 char *frame_example_text(const char *name);
 
 typedef struct {
     int width;
     const MatcOptions *options;
 } FrameExample;
-/* The scene of another text in the place of the example's. */
+/* Reads a scene from another text as if that were the example's. */
 Scene *frame_example_of(const char *name, const char *text, const FrameExample *how,
                         MatcDocument **document);
 #endif

@@ -1,4 +1,4 @@
-/* A document of one line for each light. */
+/* Writes a document with one line for each light. */
 #include "tests/frame/frame_lamps.h"
 #include <math.h>
 #include <stdint.h>
@@ -8,7 +8,7 @@
 
 enum { TEXT = 1 << 20 };
 
-/* From 0 to 1. */
+/* Random number in [0, 1]. */
 static double chance(uint32_t *state)
 {
     *state = *state * 1664525u + 1013904223u;

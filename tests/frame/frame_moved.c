@@ -33,7 +33,7 @@ static int vector(Mover *m, const double v[3])
     return list;
 }
 
-/* The pair of a key; NULL: the mapping has none. */
+/* The pair with a key; NULL if the mapping lacks it. */
 static yaml_node_pair_t *pair_of(Mover *m, int mapping, const char *key)
 {
     yaml_node_t *node = yaml_document_get_node(&m->document, mapping);
@@ -69,7 +69,7 @@ static const char *text_of(Mover *m, int node)
     return at && at->type == YAML_SCALAR_NODE ? (const char *)at->data.scalar.value : "";
 }
 
-/* A vector of the mapping, or the default. */
+/* Reads a vector of the mapping, or leaves the default. */
 static void read_vector(Mover *m, int mapping, const char *key, double v[3])
 {
     const yaml_node_t *node = yaml_document_get_node(&m->document, value_of(m, mapping, key));

@@ -1,11 +1,11 @@
-/* A linear congruential generator chooses. */
+/* Random choices by a linear congruential generator. */
 #include "tests/frame/frame_random.h"
 #include <stdio.h>
 #include <stdlib.h>
 
 static uint64_t state;
 
-/* In [0, 1). */
+/* Random number in [0, 1). */
 static double part(void)
 {
     state = state * 6364136223846793005u + 1442695040888963407u;

@@ -1,4 +1,4 @@
-/* A failure ends the test. */
+/* Draws one frame after another; a failure ends the test. */
 #include "tests/frame/frame_running.h"
 #include "tests/frame/frame_draw.h"
 #include <stdio.h>

@@ -5,17 +5,17 @@
 #include "runtime/renderer/renderer.h"
 
 typedef struct {
-    MatcOptions options; /* frame_exact_options */
+    MatcOptions options; /* from frame_exact_options */
     MatcDocument *document;
-    Scene *scene; /* its camera, lights and objects may be changed where they stand */
+    Scene *scene; /* camera, lights and objects may be changed in place */
     Renderer *renderer;
-    float *rgba; /* the frame that was drawn last */
+    float *rgba; /* the last frame */
 } FrameRunning;
 
-/* Opens a document, without a frame yet; `options` except `compile`. A failure ends the test. */
+/* Opens a document without drawing; uses `options` except `compile`. A failure ends the test. */
 void frame_running_open(GlContext *gl, const char *text, const RendererOptions *options,
                         FrameRunning *made);
-/* Draws a frame: its view, which is there until the next. */
+/* Draws a frame; the result is valid until the next one. */
 const float *frame_running_draw(FrameRunning *running);
 void frame_running_close(FrameRunning *running);
 #endif

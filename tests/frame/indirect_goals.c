@@ -1,4 +1,4 @@
-/* Rows of goals: a scene each, drawn by several keys. */
+/* Rows of goals: a scene each, drawn with several settings. */
 #include "tests/frame/indirect_goals.h"
 #include "runtime/renderer/passes.h"
 #include "tests/frame/frame_draw.h"
@@ -11,15 +11,15 @@
 
 enum { EDGE = 512, TEXT = 4096, FRAMES = 15 };
 
-/* Time of the thesis' march of ambient occlusion under llvmpipe on two cores: times are shares of
- * that. */
+/* Time of the thesis' ambient occlusion march under llvmpipe on two cores; times of goals are
+ * relative to it. */
 static const double march_milliseconds = 1700;
 
 typedef struct {
     const char *name, *view;
     double radius;
-    int across;               /* rays of a place, and across */
-    double off, milliseconds; /* at most */
+    int across;               /* rays of a place: across * across */
+    double off, milliseconds; /* upper bounds */
 } Goal;
 
 static const Goal goals[] = {{"openness, box", "ao", .5, 64, .010, 250},
@@ -29,7 +29,7 @@ static const char *const usual[] = {"rays: 8", "method: voxels"};
 
 static bool is_light(const Goal *goal) { return !strcmp(goal->view, "indirect"); }
 
-/* Time of this process on all processors together: other programs have little effect. */
+/* CPU time of this process on all cores, hardly affected by other programs. */
 static double processor_seconds(void)
 {
     struct timespec time;
@@ -37,8 +37,7 @@ static double processor_seconds(void)
     return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
 }
 
-/* Passes over all pixels that a frame takes because of indirect light, in seconds; what is made
- * once for a scene is not among them. */
+/* Seconds per frame of the passes that indirect light adds; excludes work done once per scene. */
 static double pass_time(Renderer *renderer)
 {
     static const char *const passes[] = {"rays", "temporal", "denoise", "upsample"};
@@ -53,7 +52,7 @@ static double pass_time(Renderer *renderer)
     return processor_seconds() - begin;
 }
 
-/* Least times of both, taken in turns, as a share: so other work of the machine counts for both. */
+/* Ratio of both minimum times, measured alternately, so that other load affects both. */
 static double share_of_time(Renderer *renderer, Renderer *march)
 {
     double least[2] = {INFINITY, INFINITY};
@@ -85,7 +84,7 @@ typedef struct {
     Scene *march_scene;
 } Row;
 
-/* The thesis' march in the box, drawn once. */
+/* Opens the thesis' march in the box, and draws it once. */
 static void open_march(Row *row)
 {
     char text[TEXT];
@@ -96,7 +95,7 @@ static void open_march(Row *row)
     free(frame_floats_by(row->gl, row->march, row->march_scene));
 }
 
-/* False: it is farther off than it may be, or slower. */
+/* Returns false if the error or the time exceeds its bound. */
 static bool put_row(Row *row, const char *keys)
 {
     char text[TEXT], time[32] = "";

@@ -1,4 +1,4 @@
-/* Documents. */
+/* The documents of indirect_scenes.h. */
 #include "tests/frame/indirect_scenes.h"
 #include <stdio.h>
 

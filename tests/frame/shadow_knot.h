@@ -1,4 +1,4 @@
-/* A mesh for tests of shadows, which casts them on itself: a tube in a knot. */
+/* A mesh that casts shadows on itself, for tests of shadows: a tube along a knot. */
 #ifndef MATC_SHADOW_KNOT_H
 #define MATC_SHADOW_KNOT_H
 #include "runtime/gl/shape.h"

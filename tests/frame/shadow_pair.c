@@ -1,4 +1,4 @@
-/* A failure ends the test. */
+/* Draws both pictures of a pair; a failure ends the test. */
 #include "tests/frame/shadow_pair.h"
 #include <stdio.h>
 #include <stdlib.h>

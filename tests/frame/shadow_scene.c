@@ -13,7 +13,7 @@ const ShadowLamp shadow_lamps[SHADOW_LAMPS] = {
     {"Spot, innerAngle: 30, outerAngle: 45", true, true, 6},
     {"Spot, innerAngle: 80, outerAngle: 100", true, true, 6},
     {"Point", true, false, 6},
-    {"Point", true, false, 1.8}, /* among the objects */
+    {"Point", true, false, 1.8}, /* placed among the objects */
 };
 
 Scene *shadow_scene(const ShadowScene *from, const MatcOptions *options, MatcDocument **document)

@@ -1,5 +1,5 @@
-/* Scenes of shadows that several methods are tested by, as documents: objects that meet, in the
- * light of every lamp; and one of several lights beside something of glass. */
+/* Documents by which several shadow methods are tested: touching objects in the light of every
+ * kind of lamp; and a scene of several lights with a glass object. */
 #ifndef MATC_SHADOW_SCENE_H
 #define MATC_SHADOW_SCENE_H
 #include "tests/frame/frame_draw.h"
@@ -8,14 +8,14 @@
 #define SHADOW_SCENE_VIEW                                                                          \
     "camera: { camera: Perspective, position: [1.5, -7, 4], target: [0, 0, .5], angle: 42 }\n"     \
     "materials: { m: { material: Phong, diffuse: .5 } }\n"
-/* The ground that all other objects stand on: the first object. */
+/* The ground below all other objects: the first object. */
 #define SHADOW_SCENE_GROUND                                                                        \
     "objects:\n- { object: Parallelogram, u: [8, 0, 0], v: [0, 8, 0], material: m, transform: { "  \
     "translation: [-4, "                                                                           \
     "-4, 0] } }\n"
 #define SHADOW_SCENE_PLANE "objects:\n- { object: Plane, material: m }\n"
-/* Meshes that meet: all of them the ground, a box another box, a cone a cylinder. `detail` is of
- * the ball, as in "detail: 48, ". */
+/* Touching meshes: all stand on the ground, a box touches another box, a cone a cylinder.
+ * `detail` is the ball's, as in "detail: 48, ". */
 #define SHADOW_SCENE_OBJECTS(detail)                                                               \
     "- { object: Sphere, radius: .8, " detail                                                      \
     "material: m, transform: { translation: [-.6, -.4, .8] } }\n"                                  \
@@ -34,18 +34,19 @@
 /* -- a scene in the light of one lamp */
 
 typedef struct {
-    const char *kind; /* and further params */
+    const char *kind; /* kind of the lamp, and further parameters */
     bool placed, directed;
-    double distance; /* from the origin */
+    double distance; /* distance from the origin */
 } ShadowLamp;
 enum { SHADOW_LAMPS = 5 };
 extern const ShadowLamp shadow_lamps[SHADOW_LAMPS];
 
 typedef struct {
-    const char *head, *method; /* image and more, before the view; of the list Shadows */
+    /* image and other settings, before the view; a method of the list Shadows */
+    const char *head, *method;
     const ShadowLamp *lamp;
-    const double *angle;    /* of shadow_angles */
-    const char *objects[2]; /* the ground, what stands on it */
+    const double *angle;    /* an entry of shadow_angles */
+    const char *objects[2]; /* the ground, and the objects on it */
 } ShadowScene;
 
 Scene *shadow_scene(const ShadowScene *from, const MatcOptions *options, MatcDocument **document);
@@ -53,8 +54,8 @@ Scene *shadow_scene(const ShadowScene *from, const MatcOptions *options, MatcDoc
 /* -- a scene of all at once: 64 x 48 pixels, two lights by a method, one by maps, a plane, a pane
  * over it */
 
-/* `head` comes first; `more`: further lights, each after a comma; `through`, a number, is what the
- * pane lets through. */
+/* `head` comes first; `more`: further lights, each after a comma; `through`, a number, is the
+ * pane's transmittance. */
 #define SHADOW_SCENE_MIXED(head, method, more, detail)                                             \
     head                                                                                           \
         "image: { width: 64, height: 48 }\n"                                                       \
@@ -72,9 +73,9 @@ Scene *shadow_scene(const ShadowScene *from, const MatcOptions *options, MatcDoc
 
 Scene *shadow_scene_mixed(const char *mixed, const char *through, const MatcOptions *options,
                           MatcDocument **document);
-/* Checks the first light: the pane's shadow has half of the light, a quarter where it is seen
+/* Checks the first light: in the pane's shadow one half, and a quarter where the shadow is seen
  * through the pane. */
 void shadow_scene_assert_glass(GlContext *gl, const char *mixed);
-/* OpenGL 3.3 refuses it, and says so. */
+/* Checks that OpenGL 3.3 refuses the scene with a message. */
 void shadow_scene_assert_refused(GlContext *gl, const char *mixed, const char *message);
 #endif

@@ -1,5 +1,5 @@
-/* A mesh that is bisected as bisect.glsl says, without what a driver does for it: scene_bisection.c
- * splits, points go where matc_move has them, numbers are doubles. */
+/* Bisects a mesh as bisect.glsl specifies, without its GPU techniques: scene_bisection.c splits
+ * triangles, matc_move displaces points, numbers are doubles. */
 #include "tests/frame_reference/bisection_reference.h"
 #include "tests/frame_reference/bisection_seen.h"
 #include "runtime/tessellate/scene_bisection.h"
@@ -16,18 +16,18 @@ typedef struct {
     Shape shape;
     SceneMatrix inverse;
     SceneBisection b;
-    /* deviation of each triangle, or of a triangle that it was in, whichever is less */
+    /* deviation of each triangle, or the smaller one of a triangle that contained it */
     double *own;
     double (*ranges)[2]
-                    /* how far points move along the axes of the world, in steps of 1/127.5 of what
-                     * is the most; by bases, and by numbers of triangles */
+                    /* max displacement of points along the world axes, in steps of 1/127.5 of
+                     * the global maximum; by base, and by triangle number */
                     [3];
-    int *first; /* by base: the corner that is its a */
+    int *first; /* for each base: the corner that is corner a */
     int even, coarse, ranged;
     bool closed;
 } Reference;
 
-/* Points of a base, in the world. */
+/* Computes displaced points of a base, in the world. */
 static void move(const Reference *r, int base, int count, double (*weights)[3], double (*to)[3])
 {
     const SceneMaterial *of = &r->scene->materials[r->patches->material];
@@ -66,10 +66,10 @@ static void move(const Reference *r, int base, int count, double (*weights)[3], 
 
 typedef struct {
     int base;
-    double w[3][3], p[3][3]; /* corners by weights of the base, and where they go to */
+    double w[3][3], p[3][3]; /* corners as weights of the base, and their displaced positions */
 } Triangle;
 
-/* Mean square of a part's distances from the plane, by its corners within the triangle. */
+/* Mean squared distance of a part from the plane, by the part's corners within the triangle. */
 static double part_deviates(const Reference *r, const Triangle *t, double (*inside)[3])
 {
     const double(*p)[3] = t->p;
@@ -147,7 +147,8 @@ static double reach_of(const Reference *r, int component)
     return reach;
 }
 
-/* Range of a triangle with that number, whose corners are `w`, and of all triangles within it. */
+/* Finds the displacement range of a triangle number, with corners `w`, and of all triangles
+ * within. */
 static void find_range(Reference *r, int base, uint32_t number, double (*w)[3])
 {
     double(*range)[3] = r->ranges[((uint32_t)base << (r->ranged + 1)) + number];
@@ -197,8 +198,8 @@ static void find_range(Reference *r, int base, uint32_t number, double (*w)[3])
     }
 }
 
-/* A triangle's number: where it lies, by which halves lead there. From the middle of its weights,
- * whatever order its corners have. */
+/* A triangle's number: the path of halves that leads to it. Computed from its centroid in
+ * weights, so that the order of its corners does not matter. */
 static uint64_t leaf_of(const SceneBisectionTriangle *t, int first)
 {
     int64_t w[3];
@@ -217,8 +218,8 @@ static uint64_t leaf_of(const SceneBisectionTriangle *t, int first)
     return (uint64_t)t->base << 32 | number;
 }
 
-/* Pixels of a unit, as near as the triangle's box comes, or its shadow needs it; an eighth where it
- * is not seen. */
+/* Pixels per unit of length, for the nearest point that the triangle's box, or its shadow,
+ * requires; one eighth if invisible. */
 static double pixels_of(const Reference *r, uint32_t triangle)
 {
     const SceneBisectionTriangle *t = &r->b.triangles[triangle];

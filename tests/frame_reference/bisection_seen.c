@@ -1,9 +1,9 @@
-/* How near a box counts to a camera, itself or by its shadow, in double. */
+/* Visibility of a box for a camera, directly or by its shadow, in double. */
 #include "tests/frame_reference/bisection_seen.h"
 #include "runtime/scene/scene_matrix.h"
 #include <math.h>
 
-/* How far a box is from a point. */
+/* Distance of a box from a point. */
 static double box_far(const double at[3], const double low[3], const double high[3])
 {
     double square = 0;
@@ -14,13 +14,14 @@ static double box_far(const double at[3], const double low[3], const double high
     return sqrt(square);
 }
 
-/* A line from the eye to the middle of what shines, which is in a box so large, either way. */
+/* A segment from the eye to the center of a light; `grows` is the half size of the light's
+ * bounding box. */
 typedef struct {
     double from[3], way[3], last, grows[3];
 } Line;
 
-/* Distance from the segment between the eye and a light, by thirds, which leave out the worse: the
- * distance has one minimum there. */
+/* Distance of a box from the segment between the eye and a light, by ternary search: the
+ * distance has a single minimum along it. */
 static double line_far(const Line *line, const BisectionBox *box)
 {
     double begin = 0, last = line->last, far[2] = {0};
@@ -43,7 +44,7 @@ static double line_far(const Line *line, const BisectionBox *box)
     return fmin(far[0], far[1]);
 }
 
-/* How much of a side's room there is for a point: less than 0 is beyond it. */
+/* Signed distance of a point from a side of the frustum, unnormalized: below 0 outside. */
 static double capacity_at(const SceneCamera *c, int side, const double way[3])
 {
     const double depth = -vec3_dot(way, c->back);
@@ -51,8 +52,8 @@ static double capacity_at(const SceneCamera *c, int side, const double way[3])
     return !side ? depth : c->half * depth - (side % 2 ? across : -across);
 }
 
-/* Three normals look away from all of the box, which is seen by these ways, by more than 37
- * degrees. */
+/* True if all three normals face away from every point of the box, given the view vectors to its
+ * corners, by more than 37 degrees. */
 static bool looks_away(const BisectionBox *box, double (*ways)[3], int count)
 {
     double far = 0, least = INFINITY;
@@ -64,7 +65,7 @@ static bool looks_away(const BisectionBox *box, double (*ways)[3], int count)
     return box->closed && least > .6 * sqrt(far) * box->longest;
 }
 
-/* Around all that shines of a light. */
+/* Bounding box of a light's emitting surface. */
 static void light_box(const SceneLight *light, double low[3], double high[3])
 {
     for (int k = 0; k < 3; k++) {
@@ -76,9 +77,9 @@ static void light_box(const SceneLight *light, double low[3], double high[3])
     }
 }
 
-/* No point of the box throws a shadow into view: from each corner of what shines, each of its
- * corners', near and as far as can be told, is beyond one side; or all of it is turned away from
- * the light. */
+/* True if no point of the box casts a shadow into view: for each corner of the light, the
+ * shadows of all corners of the box, from the box to the farthest relevant distance, are outside
+ * of one frustum side; or the whole box faces away from the light. */
 static bool casts_nothing(const SceneCamera *c, const SceneLight *light, const BisectionBox *box)
 {
     int beyond[5] = {0};
@@ -123,7 +124,7 @@ static double shadow_far(const Scene *scene, const SceneLight *light, const Bise
 double bisection_seen_far(const Scene *scene, const BisectionBox *box)
 {
     const SceneCamera *c = &scene->camera;
-    /* all eight corners beyond one side of what is seen, or far behind the horizon */
+    /* number of corners outside of each frustum side; 8: invisible, or far behind the horizon */
     int beyond[5] = {0};
     double ways[8][3];
     for (int i = 0; i < 8; i++) {

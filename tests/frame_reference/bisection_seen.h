@@ -1,17 +1,17 @@
-/* Queries of bisection_reference.c about a camera. */
+/* Visibility queries of bisection_reference.c for a camera. */
 #ifndef TESTS_BISECTION_SEEN_H
 #define TESTS_BISECTION_SEEN_H
 #include "runtime/scene/scene.h"
 
-/* Around a triangle's points, wherever they are moved. */
+/* Bounding box of a triangle's displaced points. */
 typedef struct {
     double low[3], high[3];
-    const double (*normal)[3]; /* of its three corners */
-    double longest;            /* of the normals at corners of its base */
+    const double (*normal)[3]; /* normals of its three corners */
+    double longest;            /* longest normal at the corners of its base */
     bool closed;
 } BisectionBox;
 
-/* As far as it counts: its distance, eight times that where it is not seen, or less for its
- * shadow's sake. */
+/* Effective distance: the distance from the camera, times eight if the box is invisible, or less
+ * if its shadow is visible. */
 double bisection_seen_far(const Scene *scene, const BisectionBox *box);
 #endif

@@ -1,11 +1,12 @@
-/* Squares of four pixels: their areas, and what of the end runs through them. */
+/* Marching squares between four pixels: lit areas, and the length of the shadow boundary through
+ * them. */
 #include "tests/frame_reference/boundary.h"
 #include <math.h>
 
 static const double pi = 3.14159265358979323846;
 
-/* Corners of the square of pixels to the right and above: they lie on one surface, in the light but
- * for shadows. */
+/* True if the square of pixels to the right and above lies on one surface, and is lit except for
+ * shadows. */
 static bool is_whole(const Boundary *b, int first)
 {
     for (int i = 0; i < 4; i++) {
@@ -18,7 +19,7 @@ static bool is_whole(const Boundary *b, int first)
     return true;
 }
 
-/* Half the product of the diagonals. */
+/* Half the cross product of the diagonals. */
 static double area_of(const double (*low)[2], const double (*high)[2])
 {
     const double rising[2] = {high[1][0] - low[0][0], high[1][1] - low[0][1]};
@@ -26,8 +27,8 @@ static double area_of(const double (*low)[2], const double (*high)[2])
     return fabs(rising[0] * falling[1] - rising[1] * falling[0]) / 2;
 }
 
-/* Between the middles of edges whose ends differ: one segment, or two where opposite corners are
- * alike. */
+/* Length of the boundary between midpoints of edges whose ends differ: one segment, or two if
+ * opposite corners are equal. */
 static double crossing_of(const Boundary *b, int first)
 {
     const int corners[5] = {first, first + 1, first + b->edge + 1, first + b->edge, first};
@@ -45,9 +46,9 @@ static double crossing_of(const Boundary *b, int first)
     return length;
 }
 
-/* Segments go along pixels and their diagonals: a line at the angle a to the pixels, from 0 to 45
- * degrees, is cos a + (sqrt 2 - 1) sin a times as long so, in the mean over all angles 8 (sqrt 2 -
- * 1) / pi. */
+/* Segments run along pixels and their diagonals: a line at the angle a to the pixels, from 0 to
+ * 45 degrees, is measured too long by the factor cos a + (sqrt 2 - 1) sin a, whose mean over all
+ * angles is 8 (sqrt 2 - 1) / pi. */
 double boundary_length(const Boundary *b)
 {
     double sum = 0;

@@ -1,23 +1,22 @@
-/* How far the ends of shadows in two pictures of the same points are from each other. */
+/* Distance between the shadow boundaries of two pictures of the same points. */
 #ifndef MATC_FRAME_BOUNDARY_H
 #define MATC_FRAME_BOUNDARY_H
 #include <stdbool.h>
 
-/* Square pictures, whose pixels know their places in a plane: what is there is measured in its
- * units. */
+/* Square pictures whose pixels have positions in a plane; lengths are in the plane's units. */
 typedef struct {
-    int edge; /* pixels */
+    int edge; /* pixels per side */
     const double (*places)[2];
-    /* that would arrive if there were no shadows; where it is not above 0, nothing is measured */
+    /* light without shadows; pixels with 0 or less are not measured */
     const float *light;
-    const float *truth; /* the share of it that arrives: below 1/2 is in the shadow */
-    /* between pixels beside each other; what is further apart is two surfaces */
+    const float *truth; /* true share of the light that arrives: below 1/2 is in shadow */
+    /* max distance of adjacent pixels; a greater one separates two surfaces */
     double widest;
 } Boundary;
 
-/* Length of the true shadow's end, within 3 % for ends that run in all directions. */
+/* Length of the true shadow boundary, within 3 % for boundaries that run in all directions. */
 double boundary_length(const Boundary *boundary);
-/* Area of points that are in the shadow by these shares and not by the truth, or the other way
- * round: over the length, the mean distance of their ends. */
+/* Area of points that are wrongly in shadow or wrongly lit by these shares: divided by the
+ * length, the mean distance of the boundaries. */
 double boundary_area(const Boundary *boundary, const float *shares);
 #endif

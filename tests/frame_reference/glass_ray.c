@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-/* A little off the surface, on the light's side. */
+/* Offsets a point slightly from the surface, to the light's side. */
 static double leave(const SceneLight *light, const double point[3], const double microfacet[3],
                     Ray *ray)
 {
@@ -14,8 +14,8 @@ static double leave(const SceneLight *light, const double point[3], const double
     return distance;
 }
 
-/* Materials, in words and as what they let through: a constant; by the cells of a checker, odd ones
- * first; by the side, the front first. */
+/* Materials as text, and their transmittances: a constant; by the cells of a checker, odd ones
+ * first; by the side, front first. */
 typedef struct {
     const char *text;
     enum { CONSTANT, CELLS, CUBES, SIDES } by;
@@ -78,7 +78,7 @@ static const Glass *glass_of(const Tracer *tracer, const Hit *hit)
     return &glasses[i];
 }
 
-/* Transmittance of a surface. Its front is the side of the light: rays go towards it. */
+/* Transmittance of a surface. Its front is the light's side, because rays go toward the light. */
 static const double *through(const Tracer *tracer, const Hit *hit)
 {
     const Glass *glass = glass_of(tracer, hit);
@@ -91,7 +91,7 @@ static const double *through(const Tracer *tracer, const Hit *hit)
                                                 : cells % 2 == 0];
 }
 
-/* A cut-out lets through nothing or all. */
+/* Multiplies by a transmittance; a cut-out transmits nothing or everything. */
 static void multiply(const Tracer *tracer, const Hit *hit, double shares[3])
 {
     const double *t = through(tracer, hit);

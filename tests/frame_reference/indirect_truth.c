@@ -1,4 +1,4 @@
-/* Places of a picture, each with many rays. */
+/* Traces many rays at sample places of a picture. */
 #include "tests/frame_reference/indirect_truth.h"
 #include <math.h>
 

@@ -36,13 +36,13 @@ typedef struct {
     double base_mean[3], loss_mean; /* means below the layers: 1 - specular albedo, loss */
 } LitReference;
 
-/* `eye` is the unit direction to the eye in the world; the normal is turned towards it. */
+/* `eye` is the unit direction to the eye in the world; the normal is flipped toward the eye. */
 void lit_reference_open(const SlotValues *slots, const double eye[3], LitReference *lit);
 /* pi times the BSDF and the cosine, for light from `way`. */
 void lit_reference_lobe(const LitReference *lit, const double way[3], double parts[LIT_PARTS][3]);
 /* Directional albedos toward the eye; LIT_STRAIGHT is the transmittance for light behind the
  * pixel. */
 void lit_reference_albedos(const LitReference *lit, double parts[LIT_PARTS][3]);
-/* Emission as the eye sees it. */
+/* Emission toward the eye. */
 void lit_reference_emission(const LitReference *lit, double rgb[3]);
 #endif

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-/* From 0 to 1: SplitMix64 of a count. */
+/* Random number in [0, 1]: SplitMix64 of a counter. */
 static double chance(uint64_t *state)
 {
     uint64_t z = *state += 0x9e3779b97f4a7c15u;
@@ -12,7 +12,7 @@ static double chance(uint64_t *state)
     return (double)((z ^ (z >> 31)) >> 11) * 0x1p-53;
 }
 
-/* Direction around a unit vector, by a place of the unit square. */
+/* Direction around a unit vector for a point of the unit square, uniform or cosine-weighted. */
 static void direction(const double n[3], const double place[2], bool uniform, double way[3])
 {
     const double z = uniform ? 1 - place[0] : sqrt(1 - place[0]), r = sqrt(fmax(1 - z * z, 0)),
@@ -26,7 +26,7 @@ static void direction(const double n[3], const double place[2], bool uniform, do
         way[i] = z * n[i] + r * (cos(turn) * u[i] + sin(turn) * v[i]);
 }
 
-/* How far it is to what a ray meets. */
+/* Distance to a ray's hit. */
 static double distance_along(const Tracer *tracer, const Ray *ray)
 {
     struct RTCIntersectContext context;
@@ -50,7 +50,7 @@ static double distance_along(const Tracer *tracer, const Ray *ray)
     return hit.distance;
 }
 
-/* Adds the light that a surface within the radius sends back along the ray. */
+/* Adds the light that a surface within the radius reflects back along the ray. */
 static void add_light(const Tracer *tracer, const Ray *ray, OpenRays *rays,
                       const MatcOptions *options, double sum[3])
 {
@@ -64,7 +64,8 @@ static void add_light(const Tracer *tracer, const Ray *ray, OpenRays *rays,
     if (rays->bounces > 1) {
         OpenRays further = *rays;
         further.bounces--;
-        further.across = 2; /* of a ray: what is random is evened out by the number of rays */
+        /* rays per side of a secondary hit; the many primary rays average out their noise */
+        further.across = 2;
         const Open open = open_ray(tracer, &met, &further, options);
         double diffuse[3];
         reference_surface_diffuse(tracer, &met, options, diffuse);
@@ -76,7 +77,7 @@ static void add_light(const Tracer *tracer, const Ray *ray, OpenRays *rays,
 
 Open open_ray(const Tracer *tracer, const Hit *hit, OpenRays *rays, const MatcOptions *options)
 {
-    const double off = 3e-5; /* from the surface, on the side that is looked at */
+    const double off = 3e-5; /* offset from the surface, to the viewed side */
     const double side = hit->front ? 1 : -1, count = (double)rays->across * rays->across;
     Open open = {.open = 0};
     double n[3];

@@ -25,7 +25,7 @@ static Surface reference_surface(const Hit *hit)
     return surface;
 }
 
-/* Light that arrives at a point, and its direction. scene.def has the formulas. */
+/* Light that arrives at a point, and its direction, by the formulas of scene.def. */
 static double reference_arrives(const SceneLight *light, const double point[3], double l[3])
 {
     double square = 1, cosine;
@@ -42,7 +42,7 @@ static double reference_arrives(const SceneLight *light, const double point[3], 
     return s <= 0 ? 0 : s >= 1 ? 1 / square : s * s * (3 - 2 * s) / square;
 }
 
-/* Share of diffuse and specular that transparency leaves. */
+/* Share of diffuse and specular light left by transparency. */
 static double reference_kept(const SlotValues *slots, int component)
 {
     return slots->component[SLOT_interpolatedTransparency][0] != 0
@@ -50,8 +50,8 @@ static double reference_kept(const SlotValues *slots, int component)
                : 1;
 }
 
-/* Light of a parallelogram: what its radiance is times for each component. What comes straight
- * through has no cosine but its power's, and comes from a parallelogram that is all behind the
+/* Factors of a parallelogram's radiance for each component. Straight transmission has no cosine
+ * except that of its power, and its light comes from the part of the parallelogram behind the
  * surface. */
 static void reference_area(const SceneLight *light, const Hit *hit, const double reflected[3],
                            const SlotValues *slots, double shares[3])
@@ -88,7 +88,7 @@ static void reference_area(const SceneLight *light, const Hit *hit, const double
                     slots->component[SLOT_transparency][i] * straight;
 }
 
-/* Light from all around: what a direction of that height meets, matt or as a mirror. */
+/* Ambient light from a direction of height z, diffuse or mirrored. */
 static double reference_around(const SceneLight *light, int component, double z, bool mirror)
 {
     const double s = fmin(fmax((z + .3) / .8, 0), 1),
@@ -97,7 +97,7 @@ static double reference_around(const SceneLight *light, int component, double z,
            (light->light[component] - ground) * (mirror ? s * s * (3 - 2 * s) : (1 + z) / 2);
 }
 
-/* Light of a Hemisphere; `normal` and `reflected` in the world. */
+/* Light of a Hemisphere; `normal` and `reflected` are in world space. */
 static double reference_hemisphere(const SceneLight *light, const SlotValues *slots, int component,
                                    const double reflected[3])
 {
@@ -111,11 +111,11 @@ static double reference_hemisphere(const SceneLight *light, const SlotValues *sl
                reference_around(light, component, -z, false);
 }
 
-/* semantics.md 4.1, with a ratio of indices of 1: nothing is refracted, and r is 0. k_d and k_s are
- * what transparency leaves of diffuse and specular where it is interpolated. emissive, ambient L;
- * (k_d + k_s max(R.l, 0)^n) |n.l| L on the eye's side; on the other |n.l| k L, and t max(T.l, 0)^m
- * L, where T is the way on and m the exponent of transparencyShininess: the greatest one is
- * Dirac's, 0 the ray tracer's sum. */
+/* semantics.md 4.1 with a relative index of 1: no refraction, and r is 0. k_d and k_s are the
+ * shares of diffuse and specular left by interpolated transparency. Ambient and emissive give L;
+ * light on the eye's side (k_d + k_s max(R.l, 0)^n) |n.l| L; light on the other side |n.l| k L,
+ * and t max(T.l, 0)^m L, with T the straight direction and m the exponent of
+ * transparencyShininess: the greatest exponent is a Dirac lobe, 0 the ray tracer's sum. */
 static void reference_shade(const Tracer *tracer, const Hit *hit, const Ray *ray,
                             const SlotValues *slots, double sum[3])
 {
@@ -123,7 +123,7 @@ static void reference_shade(const Tracer *tracer, const Hit *hit, const Ray *ray
     double view[3], n[3], reflected[3], l[3];
     memcpy(view, ray->way, sizeof view);
     reference_normalize(view);
-    memcpy(n, slots->component[SLOT_normal], sizeof n); /* it faces the eye */
+    memcpy(n, slots->component[SLOT_normal], sizeof n); /* faces the eye */
     for (int i = 0; i < 3; i++) {
         reflected[i] = view[i] - 2 * reference_dot(view, n) * n[i];
         sum[i] = slots->component[SLOT_emissive][i];
@@ -166,7 +166,7 @@ static void reference_shade(const Tracer *tracer, const Hit *hit, const Ray *ray
     }
 }
 
-/* A sky of light along the ray: diffuse and emissive of its material. */
+/* Light of the sky along a ray: diffuse and emissive of the sky's material. */
 static void reference_sky(const Scene *scene, const Ray *ray, const MatcOptions *options,
                           double sum[3])
 {
@@ -184,7 +184,7 @@ static void reference_sky(const Scene *scene, const Ray *ray, const MatcOptions 
         sum[i] = slots.component[SLOT_diffuse][i] + slots.component[SLOT_emissive][i];
 }
 
-/* A surface's light, [0], and the share of what is behind it that passes, [1]. */
+/* A surface's light, [0], and its transmittance, [1]. */
 static void reference_layer(const Tracer *tracer, const Hit *hit, const Ray *ray,
                             const MatcOptions *options, double layer[2][3])
 {

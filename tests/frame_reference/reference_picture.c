@@ -1,4 +1,4 @@
-/* Reads references as the product reads any picture of a document. */
+/* Reads reference pictures with the product's picture reader. */
 #include "tests/frame_reference/reference_picture.h"
 #include "compiler/document.h"
 #include "compiler/pipeline.h"

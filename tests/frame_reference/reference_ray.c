@@ -20,8 +20,8 @@ Ray reference_ray(const Scene *scene, double x, double y)
     return ray;
 }
 
-/* Moeller and Trumbore: corner + s a + t b = at + d way, in the object's space. The triangle is
- * known to be met. */
+/* Moeller and Trumbore: corner + s a + t b = at + d way, in the object's space, for a triangle
+ * that is known to be hit. */
 static double reference_meets(const ShapeVertex *corner[3], const Ray *ray, double st[2])
 {
     double a[3], b[3], from[3], p[3], q[3];
@@ -48,7 +48,7 @@ static double reference_mix(const ShapeVertex *corner[3], const double st[2], si
     return value[0] + st[0] * ((double)value[1] - value[0]) + st[1] * ((double)value[2] - value[0]);
 }
 
-/* Where the shape was before it was displaced. */
+/* Position and texture coordinates before displacement. */
 static double reference_base(const Shape *shape, const ShapeVertex *corner[3], const double st[2],
                              int component)
 {
@@ -58,9 +58,9 @@ static double reference_base(const Shape *shape, const ShapeVertex *corner[3], c
     return value[0] + st[0] * (value[1] - value[0]) + st[1] * (value[2] - value[0]);
 }
 
-/* Along the triangle's sides a normal n changes by n_s and n_t, u and v by theirs: n_u = (n_s v_t -
- * n_t v_s) / (u_s v_t - u_t v_s), n_v likewise. Its image has the slopes of a vector of length
- * 1. */
+/* Along the triangle's sides the normal n changes by n_s and n_t, and u and v likewise: n_u =
+ * (n_s v_t - n_t v_s) / (u_s v_t - u_t v_s), and n_v correspondingly. The transformed normal has
+ * the derivatives of a normalized vector. */
 static void reference_bend(const SceneObject *object, const ShapeVertex *corner[3],
                            const double normal[3], double slopes[2][3])
 {
@@ -85,7 +85,7 @@ static void reference_bend(const SceneObject *object, const ShapeVertex *corner[
     }
 }
 
-/* Slopes of a tangent, given by its offset in a vertex; its image is in the world. */
+/* Derivatives of a tangent, given by its offset in a vertex, transformed to the world. */
 static void reference_swing(const SceneObject *object, const ShapeVertex *corner[3], size_t tangent,
                             double slopes[2][3])
 {
@@ -130,7 +130,7 @@ static void reference_fill(const SceneObject *object, const Shape *shape,
     reference_swing(object, corner, offsetof(ShapeVertex, tangentV), hit->tangent_slopes[1]);
 }
 
-/* The point on a triangle; `way` was not normalised, so that the distance is the same in both
+/* The hit point on a triangle; `way` is not normalized, so that the distance is equal in both
  * spaces. */
 static void reference_triangle(const SceneObject *object, const Shape *shape, unsigned triangle,
                                const Ray *world, Hit *hit)
@@ -227,7 +227,7 @@ Hit reference_hit(const Tracer *tracer, const Ray *ray, double behind)
     return hit;
 }
 
-/* Another object, or another face of it. */
+/* True for different objects, or different faces of one object. */
 static bool reference_differs(const Hit *a, const Hit *b)
 {
     return a->object != b->object ||
@@ -249,7 +249,7 @@ bool reference_is_edge(const Tracer *tracer, int x, int y, const Hit *hits, int 
     return false;
 }
 
-/* Triangles in the world. */
+/* Adds an object's triangles, in world space. */
 static void reference_add(const Tracer *tracer, int number)
 {
     const SceneObject *object = &tracer->scene->objects[number];

@@ -41,7 +41,7 @@ void reference_preimage(const SceneMatrix *m, const double v[3], double w, doubl
     }
 }
 
-/* The inverse's transpose, up to length: its columns are cross products of the matrix's. */
+/* The inverse transpose, up to length: its columns are cross products of the matrix's columns. */
 void reference_across(const SceneMatrix *m, const double n[3], double out[3])
 {
     const double *c[3] = {m->m, m->m + 4, m->m + 8};

@@ -1,5 +1,5 @@
-/* A document with spheres where the casters stand, which become the mesh. Each pixel is judged at
- * the point that its ray meets, in double. */
+/* A document with spheres at the casters' places, which are then replaced by the mesh. Each
+ * pixel is judged at the hit point of its ray, in double. */
 #include "tests/frame_reference/shadow_ends.h"
 #include "runtime/shadow/shadow_state.h"
 #include "runtime/frame_graph/frame.h"
@@ -12,8 +12,8 @@
 const char *const shadow_ends_receivers[SHADOW_ENDS_RECEIVERS] = {"plane", "itself", "second",
                                                                   "overlapping"};
 
-/* Light goes along (0.6, 0.25, -1); it is looked along it, from behind the casters, but for
- * "itself". */
+/* The light's direction is (0.6, 0.25, -1); the camera looks along it, from behind the casters,
+ * except for "itself". */
 #define HEAD                                                                                       \
     "image: { width: 320, height: 320 }\nmaterials: { m: { material: Phong, diffuse: .8 } }\n"     \
     "shadowMaps: { size: 256 }\nlights: [{ light: Directional, direction: [.6, .25, -1], "         \
@@ -23,7 +23,7 @@ const char *const shadow_ends_receivers[SHADOW_ENDS_RECEIVERS] = {"plane", "itse
 
 static const struct {
     const char *text;
-    int casters; /* the first objects */
+    int casters; /* number of casters, which are the first objects */
 } documents[SHADOW_ENDS_RECEIVERS] = {
     {HEAD "camera: { camera: Orthographic, position: [.9, .375, 1.2], target: [1.8, .75, 0], size: "
           "2.6 }\n"
@@ -45,8 +45,8 @@ static const struct {
      2},
 };
 
-/* Data of a picture's pixels: their place in the light's map, in texels; 1 where it is judged;
- * whether light reaches it. */
+/* Data of a picture's pixels: their position in the light's map, in texels; 1 if the pixel is
+ * judged; true light. */
 typedef struct {
     double (*places)[2];
     float *light, *truth;
@@ -66,7 +66,7 @@ static void see_pixel(const Tracer *tracer, const ShadowView *view, int pixel, b
     for (int i = 0; i < 2; i++)
         seen->places[pixel][i] =
             (reference_dot(view->rows[i], hit.world) + view->rows[i][3]) * scene->shadow_size / 2;
-    /* of a closed body what looks away is in its own shadow */
+    /* a face of a closed mesh that faces away from the light is in its own shadow */
     seen->truth[pixel] =
         same && shadow_is_lit(tracer, &scene->lights[0], hit.world, hit.microfacet);
 }
@@ -90,8 +90,8 @@ static double distance_of(const Scene *scene, const ShadowView *view, const floa
     return length > 100 ? area / length : INFINITY;
 }
 
-/* A view of the light as its map has it; exact shadows have none, and are judged in texels of what
- * maps would have. */
+/* The light's view of its shadow map; exact shadows have no map, and are measured in texels of
+ * an equivalent one. */
 static ShadowView view_of(const ShadowPair *pair, Scene *scene)
 {
     const Keyword method = scene->lights[0].shadows;
@@ -122,7 +122,7 @@ double shadow_ends_distance(const ShadowPair *pair, const ShadowEnds *ends)
     float *shares = shadow_pair_shares(pair, scene);
     const double distance = distance_of(scene, &view, shares, ends->all);
     free(shares);
-    scene->mesh_count = 0; /* it is not the scene's */
+    scene->mesh_count = 0; /* the mesh does not belong to the scene */
     frame_forget(scene, document);
     return distance;
 }

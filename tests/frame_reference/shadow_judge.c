@@ -4,9 +4,9 @@
 
 enum { DIRECTIONS = 10 };
 
-static const double tie = 1e-6; /* of the reach */
+static const double tie = 1e-6; /* as a share of the reach */
 
-/* Hit of a ray from the eye: a triangle's corners in the world, or a plane. */
+/* Hit of an eye ray: a triangle's corners in the world, or a plane. */
 typedef struct {
     int object;
     unsigned triangle;
@@ -55,7 +55,7 @@ static struct RTCRay ray_of(const double at[3], const double way[3], double dist
                            .mask = ~0u};
 }
 
-/* Where a ray meets the plane of three corners, as a multiple of its way. */
+/* Distance to the plane of three corners, as a multiple of the ray's direction. */
 static double plane_at(const double corners[3][3], const double at[3], const double way[3])
 {
     double u[3], v[3], normal[3], from[3];
@@ -89,8 +89,8 @@ static bool see(const Tracer *tracer, const Ray *ray, Seen *seen)
 
 /* -- all triangles, in double */
 
-/* Six times the volume of the tetrahedron of a point, a way and two corners: its sign says on which
- * side the way passes the edge. */
+/* Six times the volume of the tetrahedron of a point, a direction and two corners: the sign
+ * gives the side on which the ray passes the edge. */
 static double side_of(const double at[3], const double way[3], const double a[3], const double b[3])
 {
     double from[2][3], normal[3];
@@ -116,7 +116,7 @@ static bool stands_between(const double corners[3][3], const double at[3], const
     return along > 0 && along < distance;
 }
 
-/* But for the triangle that is seen. */
+/* True if a triangle other than the visible one blocks the light. */
 static bool is_dark(const Tracer *tracer, const SceneLight *light, const double at[3],
                     const Seen *seen)
 {
@@ -134,7 +134,7 @@ static bool is_dark(const Tracer *tracer, const SceneLight *light, const double 
 
 /* -- verdicts */
 
-/* A little off the surface, on the light's side. */
+/* Offsets a point slightly from the surface, to the light's side. */
 static void lift(const ShadowJudge *judge, const double way[3], const Seen *seen, double lifted[3])
 {
     const double off = (reference_dot(seen->microfacet, way) < 0 ? -1 : 1) * 3 * tie * judge->reach;
@@ -142,7 +142,7 @@ static void lift(const ShadowJudge *judge, const double way[3], const Seen *seen
         lifted[i] = seen->point[i] + off * seen->microfacet[i];
 }
 
-/* Embree's answer. */
+/* Embree's result. */
 static bool embree_lit(const ShadowJudge *judge, const SceneLight *light, const Seen *seen)
 {
     struct RTCIntersectContext context;
@@ -155,8 +155,7 @@ static bool embree_lit(const ShadowJudge *judge, const SceneLight *light, const 
     return ray.tfar > 0;
 }
 
-/* Points that are a tie's width away, along the axes, or as seen from the eye on the same
- * triangle. */
+/* Moves a point by the tie's width, along an axis, or on the same triangle as seen from the eye. */
 static void move(const ShadowJudge *judge, const Ray *ray, const Seen *seen, int direction,
                  double at[3])
 {
@@ -209,7 +208,7 @@ static ShadowVerdict verdict_of(const ShadowJudge *judge, const SceneLight *ligh
 ShadowVerdict shadow_verdict(const ShadowJudge *judge, const SceneLight *light, const double at[2],
                              bool lit)
 {
-    const double step = 1.0 / 128; /* of a pixel */
+    const double step = 1.0 / 128; /* in pixels */
     const Scene *scene = judge->tracer->scene;
     const Ray ray = reference_ray(scene, at[0], at[1]);
     const ShadowVerdict verdict = verdict_of(judge, light, &ray, lit);

@@ -12,14 +12,15 @@ static void way_of(double z, double turn, double way[3])
     way[2] = z;
 }
 
-/* A direction in a cell, by two numbers from 0 to 1. */
+/* A direction in a cell, by two numbers in [0, 1]. */
 static void cell_way(int cell, const double at[2], double way[3])
 {
     way_of(2 * (cell / SKY_REFERENCE_TURNS + at[0]) / SKY_REFERENCE_HEIGHTS - 1,
            2 * LOBE_PI * (cell % SKY_REFERENCE_TURNS + at[1]) / SKY_REFERENCE_TURNS, way);
 }
 
-/* A twentieth is spread evenly, so that light between the points that are asked is found, too. */
+/* A twentieth of the samples is uniform, so that light between the evaluated points is found,
+ * too. */
 void sky_reference_open(SkyReference *reference, SkyReferenceLight light, const void *sky)
 {
     enum { ASKED = 9 };
@@ -57,7 +58,7 @@ static void albedo_at(const SkyReferenceSurface *surface, double cosine, double 
         albedo[k] = (i + 1 - at) * surface->albedos[i][k] + (at - i) * surface->albedos[i + 1][k];
 }
 
-/* Smith's masking: the masked share over the visible share. */
+/* Smith's lambda: the masked share over the visible share. */
 static double masked(double cosine, double alpha)
 {
     return (sqrt(1 + alpha * alpha * (1 / (cosine * cosine) - 1)) - 1) / 2;
@@ -69,8 +70,7 @@ static double microfacets_along(double high, double alpha)
     return alpha * alpha / (LOBE_PI * wide * wide);
 }
 
-/* Light that facets of a mean reflectance send on after several bounces, over that of ideal
- * mirrors. */
+/* Multiple scattering of microfacets of a mean reflectance, relative to ideal mirrors. */
 static double again_of(double mean_reflected, const double mean[2])
 {
     return mean_reflected * mean_reflected * (1 - mean[0]) / (1 - mean_reflected * mean[0]);
@@ -105,7 +105,7 @@ void sky_reference_lobe(const SkyReferenceSurface *surface, const double eye[3],
     }
 }
 
-/* The normal, and two directions across it. */
+/* The normal, and two tangents. */
 static void frame_around(const double normal[3], double axes[3][3])
 {
     const double side[3] = {fabs(normal[2]) < .7 ? 0 : 1, 0, fabs(normal[2]) < .7 ? 1 : 0};
@@ -124,9 +124,9 @@ static void frame_around(const double normal[3], double axes[3][3])
     }
 }
 
-/* The direction that a visible facet sends the eye's ray to: a disc's point, lifted onto the half
- * sphere that faces the stretched eye (Heitz 2018). */
-static void microfacet_way(const double eye[3], double alpha, const double at[2], double way[3])
+/* Reflects the eye's ray at a sampled visible normal: a point of the disc, lifted onto the
+ * hemisphere that faces the stretched eye (Heitz 2018). */
+static void facet_way(const double eye[3], double alpha, const double at[2], double way[3])
 {
     const double stretched[3] = {alpha * eye[0], alpha * eye[1], eye[2]},
                  size = sqrt(dot(stretched, stretched));
@@ -135,7 +135,7 @@ static void microfacet_way(const double eye[3], double alpha, const double at[2]
         w[k] = stretched[k] / size;
     frame_around(w, axes);
     const double flat = hypot(w[0], w[1]);
-    if (flat > 1e-9) { /* the first across lies level */
+    if (flat > 1e-9) { /* the first tangent is horizontal */
         const double level[3] = {-w[1] / flat, w[0] / flat, 0};
         for (int k = 0; k < 3; k++) {
             axes[0][k] = level[k];
@@ -156,8 +156,8 @@ static void microfacet_way(const double eye[3], double alpha, const double at[2]
         way[k] = 2 * facing * h[k] / length - eye[k];
 }
 
-/* How dense directions by visible facets are. */
-static double microfacet_density(const double eye[3], double alpha, const double way[3])
+/* Density of directions sampled by visible normals. */
+static double facet_density(const double eye[3], double alpha, const double way[3])
 {
     const double half[3] = {eye[0] + way[0], eye[1] + way[1], eye[2] + way[2]};
     return microfacets_along(half[2] / sqrt(dot(half, half)), alpha) / (1 + masked(eye[2], alpha)) /
@@ -185,8 +185,8 @@ static double sky_density(const SkyReference *reference, const double way[3])
            (4 * LOBE_PI);
 }
 
-/* The i-th of evenly spread points: multiples of powers of a number's inverse, whose cube is one
- * more than itself. */
+/* The i-th point of the R2 low-discrepancy sequence: multiples of powers of the inverse of g,
+ * with g^3 = g + 1. */
 static void spread(int i, double at[2])
 {
     at[0] = fmod(.5 + .7548776662466927 * (i + 1), 1);

@@ -3,7 +3,7 @@
 #include "tests/frame_reference/shadow_ray.h"
 #include <math.h>
 
-/* From 0 to 1: SplitMix64 of a count. */
+/* Random number in [0, 1]: SplitMix64 of a counter. */
 static double chance(uint64_t *state)
 {
     uint64_t z = *state += 0x9e3779b97f4a7c15u;
@@ -12,7 +12,8 @@ static double chance(uint64_t *state)
     return (double)((z ^ (z >> 31)) >> 11) * 0x1p-53;
 }
 
-/* Whether nothing stands between a place of a light and a point a little off a surface. */
+/* True if no object is between a position on the light and a point offset slightly from a
+ * surface. */
 static bool reaches(const Tracer *tracer, const Hit *hit, const double way[3])
 {
     struct RTCIntersectContext context;
@@ -33,7 +34,7 @@ static bool reaches(const Tracer *tracer, const Hit *hit, const double way[3])
     return ray.tfar > 0 && !shadow_is_behind_plane(tracer->scene, from, way, 1);
 }
 
-/* Share of one ray that arrives. */
+/* Transmitted share of one ray. */
 static void trace(const Tracer *tracer, const Hit *hit, const double way[3], bool glass,
                   double shares[3])
 {
@@ -47,7 +48,7 @@ static void trace(const Tracer *tracer, const Hit *hit, const double way[3], boo
     glass_shares(tracer, &place, hit->world, hit->microfacet, shares);
 }
 
-/* The way to a place of the light, and what a ray from there counts. */
+/* Direction to a position on the light; returns the weight of its ray. */
 static double way_to(const SceneLight *light, const Hit *hit, const double part[2], double way[3])
 {
     double face[3];

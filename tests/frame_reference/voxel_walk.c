@@ -1,4 +1,4 @@
-/* Rays through voxels in double. */
+/* Walks rays through voxels in double. */
 #include "tests/frame_reference/voxel_walk.h"
 #include <math.h>
 #include <stdlib.h>
@@ -41,7 +41,7 @@ uint32_t *voxel_words_texels(const VoxelWords *words)
 
 /* -- a ray */
 
-/* Where it is in the map, from t = begin to end. */
+/* Clips a line to the map, to t in [begin, end]. */
 static bool clip(const VoxelWords *words, const VoxelLine *line, double *begin, double *end)
 {
     *begin = 0;
@@ -58,7 +58,7 @@ static bool clip(const VoxelWords *words, const VoxelLine *line, double *begin, 
     return *begin <= *end;
 }
 
-/* To the plane through which it leaves a voxel across an axis. */
+/* Parameter at which the line leaves a voxel along an axis. */
 static double leaves(const VoxelLine *line, int axis, int at)
 {
     return line->way[axis] == 0 ? INFINITY
@@ -74,7 +74,7 @@ VoxelMet voxel_walk(const VoxelWords *words, const VoxelLine *line)
     bool own = met.t == 0;
     for (int k = 0; k < 3; k++) {
         const double at = line->from[k] + met.t * line->way[k];
-        /* on a face it is in what it goes into */
+        /* on a face the point belongs to the voxel that the ray enters */
         const double place = line->way[k] < 0 ? ceil(at) - 1 : floor(at);
         own &= line->from[k] >= 0 && line->from[k] <= words->size;
         met.at[k] = (int)fmin(fmax(place, 0), words->size - 1);

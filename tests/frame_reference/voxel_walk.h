@@ -1,20 +1,19 @@
-/* Rays through voxels in double, from the definition: every plane that a ray crosses, one after the
- * other. */
+/* Rays through voxels in double, by definition: visits every plane that a ray crosses, in order. */
 #ifndef MATC_VOXEL_WALK_H
 #define MATC_VOXEL_WALK_H
 #include <stdbool.h>
 #include <stdint.h>
 
-/* Voxels as a slice map has them: columns of size / 32 words, those along x first. */
+/* Voxels as in a slice map: columns of size / 32 words, ordered along x first. */
 typedef struct {
     int size;
     uint32_t *words;
 } VoxelWords;
 
-VoxelWords voxel_words(int size); /* all empty; the words from malloc */
+VoxelWords voxel_words(int size); /* all voxels empty; the words from malloc */
 bool voxel_words_at(const VoxelWords *words, const int at[3]);
 void voxel_words_set(VoxelWords *words, const int at[3]);
-/* As texels of RGBA32UI, a layer for 128 voxels. From malloc. */
+/* The words as texels of RGBA32UI, one layer for each 128 voxels. From malloc. */
 uint32_t *voxel_words_texels(const VoxelWords *words);
 
 typedef struct {
@@ -27,7 +26,7 @@ typedef struct {
     double t;
 } VoxelMet;
 
-/* The first full voxel at 0 <= t <= far; full ones that the ray begins in do not count, up to the
- * first empty one. */
+/* The first full voxel at 0 <= t <= far; full voxels that contain the ray's start are skipped up
+ * to the first empty one. */
 VoxelMet voxel_walk(const VoxelWords *words, const VoxelLine *line);
 #endif

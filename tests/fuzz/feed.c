@@ -14,7 +14,8 @@ static void feed_stream(FILE *file)
         bytes = realloc(bytes, capacity *= 2);
     if (!bytes)
         abort();
-    char *fitted = malloc(size ? size : 1); /* no byte more: a sanitizer sees reads past the end */
+    /* exact size, so that a sanitizer detects reads past the end */
+    char *fitted = malloc(size ? size : 1);
     for (size_t i = 0; fitted && i < size; i++)
         fitted[i] = bytes[i];
     free(bytes);

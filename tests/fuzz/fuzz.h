@@ -1,10 +1,10 @@
-/* The entry point that libFuzzer, AFL++ or feed.c calls with one input after the other. */
+/* The entry point that libFuzzer, AFL++ or feed.c calls once per input. */
 #ifndef MATC_FUZZ_H
 #define MATC_FUZZ_H
 #include <stddef.h>
 #include <stdint.h>
 
-/* 0; a fault aborts. */
+/* Returns 0; a fault aborts. */
 int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size);
 
 /* A reader of files for MatcOptions: includes and pictures do not exist. */

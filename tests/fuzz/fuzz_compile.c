@@ -1,5 +1,5 @@
-/* libFuzzer's entry for the whole compiler, glslang aside: any bytes as a document, compiled for
- * the G-buffer and as IR, with the IR checked after every pass. */
+/* libFuzzer's entry for the whole compiler without glslang: any bytes as a document, compiled
+ * for the G-buffer and as IR, with the IR checked after every pass. */
 #include "fuzz.h"
 #include "compiler/matc.h"
 #include <stdlib.h>

@@ -1,5 +1,5 @@
-/* libFuzzer's entry for pictures: any bytes as the file that a document names; what is read has the
- * texels that its size says. */
+/* libFuzzer's entry for pictures: any bytes as the file that a document names. A picture that is
+ * read must have as many texels as its size states. */
 #include "fuzz.h"
 #include "compiler/matc.h"
 #include <stdlib.h>

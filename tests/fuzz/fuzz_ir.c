@@ -1,5 +1,5 @@
-/* libFuzzer's entry for the IR's text: any bytes. What reads and passes the check prints and reads
- * back as itself, goes through the optimiser, and passes the check again. */
+/* libFuzzer's entry for the IR's text: any bytes. An IR that is read and passes the check prints
+ * and reads back as itself, is optimized, and passes the check afterwards. */
 #include "fuzz.h"
 #include "compiler/opt/opt.h"
 #include <stdlib.h>
@@ -22,7 +22,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
     const char *fault = NULL, *text = arena_string(&arena, (const char *)bytes, size);
     Ir *ir = ir_read(&session, text, &none, &fault);
     if (ir && !ir_check(ir)) {
-        opt_dead(ir); /* what is not reached is not printed */
+        opt_dead(ir); /* unreachable nodes are not printed */
         const char *first = printed(&arena, ir);
         const Ir *again = ir_read(&session, first, &none, &fault);
         if (!again || ir_check(again) || strcmp(printed(&arena, again), first) != 0)

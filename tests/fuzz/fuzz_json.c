@@ -1,7 +1,7 @@
-/* libFuzzer's entry for strict JSON: any bytes as a .json file. What our reader accepts is what
- * cJSON reads, value by value. cJSON has no numbers of more than 63 letters, and ends a text at a
- * zero byte. What cJSON accepts and we do not is no fault of ours: it lets `01` pass, and control
- * characters (tests/compiler/base/test_json.c). */
+/* libFuzzer's entry for strict JSON: any bytes as a .json file. cJSON must read every text that
+ * our reader accepts, with equal values. Exempt are numbers of more than 63 characters and texts
+ * with a zero byte, which cJSON cannot read. The reverse is not required: cJSON accepts `01` and
+ * control characters (tests/compiler/base/test_json.c). */
 #include "fuzz.h"
 #include "tests/read_text.h"
 #include <cjson/cJSON.h>
@@ -52,7 +52,7 @@ static bool same(const Tree *tree, const cJSON *json)
 int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
 {
     ReadText r;
-    char *text = malloc(size + 1); /* no byte more: a sanitizer sees reads past the zero */
+    char *text = malloc(size + 1); /* exact size, so that a sanitizer detects reads past the zero */
     if (!text)
         abort();
     if (size)

@@ -1,4 +1,4 @@
-/* libFuzzer's entry for layouts: any bytes as a layout file; one that is fine reads back from its
+/* libFuzzer's entry for layouts: any bytes as a layout file; a valid layout reads back from its
  * own text, and packs a material. */
 #include "fuzz.h"
 #include "compiler/matc.h"

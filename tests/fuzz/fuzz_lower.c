@@ -1,6 +1,6 @@
-/* libFuzzer's entry for lowering and optimiser: the bytes are choices of the generator of valid
- * documents (tests/stress), so that nothing is spent on text that does not parse. The first two
- * choose the target and the pass. */
+/* libFuzzer's entry for lowering and optimizer: the bytes are choices of the generator of valid
+ * documents (tests/stress), so that no input is wasted on text that does not parse. The first
+ * two bytes choose the target and the pass. */
 #include "fuzz.h"
 #include "compiler/matc.h"
 #include "grammar/tables.h"
@@ -14,7 +14,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
     int count = 0;
     for (size_t i = 2; i < size && count < MAX_CHOICES; i++)
         script[count++] =
-            /* small ones and parts of 2^24 */
+            /* small numbers, and multiples of 2^17 */
             bytes[i] < 128 ? bytes[i] : (uint32_t)(bytes[i] - 127) << 17;
     Choices choices;
     Arena arena = {0};

@@ -1,5 +1,5 @@
-/* libFuzzer's entry for scenes: any bytes as a document, read into a Scene; what drawing takes for
- * granted of one is looked at. */
+/* libFuzzer's entry for scenes: any bytes as a document, read into a Scene, whose invariants for
+ * drawing are checked. */
 #include "fuzz.h"
 #include "runtime/scene_reader/scene_read.h"
 #include "runtime/tessellate/scene_solid.h"
@@ -7,9 +7,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MAX_OBJECTS = 64, MAX_FRAMES = 64 }; /* that are looked at: an input stays short work */
+/* limits on what is checked, so that an input takes little time */
+enum { MAX_OBJECTS = 64, MAX_FRAMES = 64 };
 
-/* Every other file is one of materials. */
+/* Every other requested file contains materials. */
 static char *read_materials(void *user, const char *path, size_t *size, const char **why)
 {
     static const char text[] = "materials: { one: { material: Phong, diffuse: { map: Granite } }, "
@@ -101,7 +102,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
     MatcDocument *document = scene_read(name, (const char *)bytes, size, &options, &scene);
     matc_diagnostics(document, MATC_TEXT);
     want(!scene ||
-         /* and without one something is said, unless it is of materials alone */
+         /* a document without a scene has an error, unless it contains only materials */
          !matc_error_count(document));
     if (scene)
         look_at_scene(scene);

@@ -1,4 +1,4 @@
-/* Writes the documents of growth.def, and compiles them with the clock of this thread. */
+/* Writes the documents of growth.def, and compiles them, timed by the thread's CPU clock. */
 #include "growth.h"
 #include "compiler/read/tree.h"
 #include "compiler/ir/ir.h"
@@ -27,7 +27,7 @@ const int growth_count = sizeof growth_table / sizeof *growth_table;
 
 enum {
     STEP = 40
-    /* maps that a material of its own resolves: a reference and what it names are a level each of
+    /* maps that a material resolves itself: a reference and its target each use a level of
      * LIMIT_DEPTH */
 };
 
@@ -53,8 +53,7 @@ static void put_many(FILE *out, const GrowthRow *row, int count)
     fputs(row->tail, out);
 }
 
-/* k0 ... as definitions; materials on the way up; the last one has `top`, a frame where that begins
- * with '!'. */
+/* Writes k0 ... as definitions; the last one has `top`, or with '!' a frame of `top`. */
 static void put_deep(FILE *out, const GrowthRow *row, int count)
 {
     fputs("defs:\n  k0: { map: Granite }\n", out);
@@ -119,8 +118,8 @@ static char *read_made(void *user, const char *path, size_t *size, const char **
 typedef struct {
     MatcOptions options;
     bool eval, fit, all, ir, scene, layout, tree;
-    const char *name; /* of the document: its ending is its format */
-    const char *mesh; /* ending of a file of a mesh; NULL: it is none */
+    const char *name; /* name of the document; its ending determines the format */
+    const char *mesh; /* ending of a mesh file; NULL: no mesh */
 } Setting;
 
 static void set_option(Setting *s, const char *name, char *value)
@@ -155,7 +154,7 @@ static void set_option(Setting *s, const char *name, char *value)
         abort();
 }
 
-/* `words` holds the values, and lives as long as the setting. */
+/* `words` stores the values, and must outlive the setting. */
 static Setting setting_of(const GrowthRow *row, char *words)
 {
     Setting s = {.name = "growth.yaml"};
@@ -210,7 +209,7 @@ static void evaluate(const MatcDocument *document, int material, const Setting *
     free(text);
 }
 
-/* As --layout=auto does: a material's intervals, and the layout that holds them. */
+/* Makes a layout as --layout=auto does, from a material's intervals. */
 static void fit(const MatcDocument *document, int material, const Setting *s, GrowthRun *run)
 {
     MatcRanges *ranges = malloc(sizeof *ranges);
@@ -225,7 +224,7 @@ static void fit(const MatcDocument *document, int material, const Setting *s, Gr
     free(ranges);
 }
 
-/* The document that a glTF file's materials become. */
+/* Reads the document made from a glTF file's materials. */
 static void read_tree(const Setting *s, const char *text, GrowthRun *run)
 {
     Arena arena = {0};
@@ -239,7 +238,7 @@ static void read_tree(const Setting *s, const char *text, GrowthRun *run)
     arena_free(&arena);
 }
 
-/* The IR of the last material as text, read and written again. */
+/* Prints the IR of the last material, reads it back and prints it. */
 static void read_back(const Setting *s, const char *text, GrowthRun *run)
 {
     Arena arena = {0};
@@ -266,7 +265,7 @@ static void read_back(const Setting *s, const char *text, GrowthRun *run)
     arena_free(&arena);
 }
 
-/* A layout from its file. */
+/* Reads a layout file. */
 static void read_layout(const Setting *s, const char *text, GrowthRun *run)
 {
     MatcLayout *layout = matc_layout_read(s->name, text, run->read, &s->options);

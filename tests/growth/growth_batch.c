@@ -1,4 +1,4 @@
-/* Runs `matc -d` on many documents in a folder of its own, with the clock of that process. */
+/* Runs `matc -d` on many documents in its own folder, timed by that process' CPU clock. */
 #include "growth.h"
 #include <math.h>
 #include <stdio.h>
@@ -18,7 +18,7 @@ const int growth_batch_count = sizeof growth_batches / sizeof *growth_batches;
 
 enum { MAX_FOLDER = 32, MAX_PATH = 128, MAX_COMMAND = 1024 };
 
-/* d0.yaml ... in the folder, and a list of them. */
+/* Writes d0.yaml ... to the folder, and a list of them. */
 static bool put_documents(const GrowthBatch *row, const char *folder, int count, const char *list)
 {
     char path[MAX_PATH];
@@ -36,7 +36,7 @@ static bool put_documents(const GrowthBatch *row, const char *folder, int count,
     return names && !fclose(names);
 }
 
-/* CPU seconds of a command of the shell and of what it runs; infinite: it fails. */
+/* CPU seconds of a shell command and its children; infinite if it fails. */
 static double seconds_of(const char *command)
 {
     struct rusage used;
@@ -70,7 +70,7 @@ static double empty(const char *folder, const char *what)
     return seconds_of(command);
 }
 
-/* Prepares the folder before the run that counts. */
+/* Prepares the folder before the measured run. */
 static void prepare(const GrowthBatch *row, const char *matc, const char *folder)
 {
     empty(folder, "/out");
@@ -80,8 +80,8 @@ static void prepare(const GrowthBatch *row, const char *matc, const char *folder
         empty(folder, "/out");
 }
 
-/* A folder of its own, in memory where the machine has such a place: there a new file costs the
- * same each time, while a disk took from 10 to 1,000 microseconds of system time for one within a
+/* Creates a folder, in memory if the machine has a memory file system: there a new file has a
+ * constant cost, while on a disk it took from 10 to 1,000 microseconds of system time within a
  * minute. */
 static bool make_folder(char path[MAX_FOLDER])
 {

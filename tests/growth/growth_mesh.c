@@ -1,5 +1,5 @@
-/* Documents of growth.def that are files of meshes. They are read by a process of their own, whose
- * time counts. */
+/* Documents of growth.def that are mesh files. A separate process reads them, and its time
+ * counts. */
 #include "growth.h"
 #include "runtime/mesh_import/model.h"
 #include <stdlib.h>

@@ -1,9 +1,9 @@
-/* An allocator to preload whose calls fail by count: FAIL_AT=n lets the n-th call of malloc(),
- * calloc() or realloc() return NULL, FAIL_AFTERWARDS=1 each call after it too; FAIL_COUNT=1 prints
- * the number of calls at the end. tests/tool/out_of_memory.sh.
+/* A preloaded allocator whose calls fail by count: with FAIL_AT=n the n-th call of malloc(),
+ * calloc() or realloc() returns NULL, with FAIL_AFTERWARDS=1 also each later call; FAIL_COUNT=1
+ * prints the number of calls at exit. Used by tests/tool/out_of_memory.sh.
  *
- *     FAIL_AT=3 LD_PRELOAD=libfailing_malloc.so matc ...: two allocations succeed, the third fails,
- *         the fourth succeeds again */
+ * FAIL_AT=3 LD_PRELOAD=libfailing_malloc.so matc ...: two allocations succeed, the third fails,
+ * the fourth succeeds. */
 #include <errno.h>
 #include <stdatomic.h>
 #include <stdio.h>

@@ -1,12 +1,12 @@
-/* A library that is loaded before libc (LD_PRELOAD) and ends a process, or lets a call fail, at the
- * n-th call that concerns files.
- *   STRIKE_AT=n      which call, from 1; 0 or none: only counted
- *   STRIKE_HOW=what  kill: SIGKILL before the call; half: a write does half of it before; a number:
- *                    the call fails with that errno;
- *                    full: this call and all later ones that want room fail as on a full disk;
- *                        readonly: the same for all
- *                    that changes anything
- *   STRIKE_LOG=file  gets the names of all calls, a line each, when they were only counted
+/* A library that is loaded before libc (LD_PRELOAD) and kills a process, or makes a call fail, at
+ * the n-th call that concerns files.
+ *   STRIKE_AT=n      the call's number, from 1; 0 or unset: calls are only counted
+ *   STRIKE_HOW=how   kill: SIGKILL before the call
+ *                    half: as kill, but a write first writes half of its bytes
+ *                    a number: the call fails with that errno
+ *                    full: this call and all later ones that need disk space fail as on a full disk
+ *                    readonly: this call and all later ones that change files fail
+ *   STRIKE_LOG=file  receives the names of all calls, a line each, if calls are only counted
  * The functions are those that `nm -D --undefined-only build/matc` lists. */
 #include <dirent.h>
 #include <dlfcn.h>
@@ -51,7 +51,7 @@ __attribute__((constructor)) static void begin(void)
     ready = true;
 }
 
-/* By the system's own calls, which are not counted. */
+/* Uses direct system calls, which are not counted. */
 __attribute__((destructor)) static void end(void)
 {
     const char *path = getenv("STRIKE_LOG");
@@ -72,14 +72,18 @@ static void die(void)
         pause();
 }
 
-enum { LOOKS, CHANGES = 1, GROWS = 3 /* it changes something, and wants room */ };
+enum {
+    LOOKS,
+    CHANGES = 1,
+    GROWS = 3 /* effect of a call: none; changes files; also needs disk space */
+};
 
 static int how_of(int open_how)
 {
     return open_how & O_CREAT ? GROWS : open_how & O_ACCMODE ? CHANGES : LOOKS;
 }
 
-/* Counts a call; true: it is to fail, and errno says how. */
+/* Counts a call; returns true if it has to fail, with errno set. */
 static bool strike(const char *name, int does)
 {
     long number = ready ? ++calls : 0;
@@ -95,7 +99,7 @@ static bool strike(const char *name, int does)
     return true;
 }
 
-/* The function that ours is called instead of. */
+/* Finds the original function that ours replaces. */
 static void find(void *function, const char *name)
 {
     void *found = dlsym(RTLD_NEXT, name);
@@ -140,7 +144,7 @@ CALL(ssize_t, writev, GROWS, (int file, const struct iovec *parts, int count), (
 CALL(DIR *, fdopendir, LOOKS, (int file), (file), NULL)
 CALL(struct dirent *, readdir, LOOKS, (DIR * dir), (dir), NULL)
 
-/* A file that fails to close is closed all the same. */
+/* A close that fails still closes the file. */
 int close(int file)
 {
     static int (*real)(int);

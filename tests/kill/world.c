@@ -68,7 +68,7 @@ static int by_name(const void *a, const void *b)
     return strcmp(*(char *const *)a, *(char *const *)b);
 }
 
-/* State of nftw, which passes no argument of the caller's. */
+/* State of nftw's callback, which has no user argument. */
 static struct {
     char *paths[256];
     int count;
@@ -82,8 +82,8 @@ static int note(const char *path, const struct stat *info, int kind, struct FTW 
     return 0;
 }
 
-/* All names below a folder and all bytes, but for the GPU scene's; those that only a next run
- * removes are left out where that is said. */
+/* All names and bytes below a folder, except the cache's; `hidden`: also files that only the
+ * next run removes. */
 Bytes world_tree(const char *path, bool hidden)
 {
     Bytes tree = {0};
@@ -101,7 +101,7 @@ Bytes world_tree(const char *path, bool hidden)
         }
         bytes_text(&tree, name);
         char *text = S_ISREG(info.st_mode) ? read_whole(walked.paths[i], &size) : NULL;
-        bytes_block(&tree, text ? text : "", text ? size : 0); /* a folder has none */
+        bytes_block(&tree, text ? text : "", text ? size : 0); /* a folder has no content */
         free(text);
         free(walked.paths[i]);
     }
@@ -135,7 +135,7 @@ static const char *in_tree(const Bytes *tree, const char *name, size_t *size)
     return found;
 }
 
-/* `tree` has every output file of `wanted`, with the same bytes. */
+/* True if `tree` has every output file of `wanted`, with the same bytes. */
 static bool holds(const Bytes *tree, const Bytes *wanted)
 {
     BytesReader from = {wanted->at, wanted->at + wanted->size, false};
@@ -167,7 +167,7 @@ bool world_index_is_true(const World *w)
     return fine;
 }
 
-/* Names of what is in the folder now, for a report. */
+/* Lists the names in the folder, for a report. */
 static void show(const World *w)
 {
     char command[2 * PATH_CAPACITY];
@@ -179,7 +179,7 @@ static void show(const World *w)
         return;
 }
 
-/* The folder of one name becomes what that of another is. */
+/* Replaces one folder by a copy of another. */
 static void copy(const World *w, const char *from, const char *name)
 {
     char path[PATH_CAPACITY], to[PATH_CAPACITY];
@@ -191,7 +191,7 @@ static void copy(const World *w, const char *from, const char *name)
 
 void world_reset(const World *w) { copy(w, "old", "now"); }
 
-/* The child: matc in the folder "now", with what it says in the file "said". */
+/* The child process: runs matc in the folder "now", with its output in the file "said". */
 static void become_matc(const World *w, const char *const *arguments, long at, const char *how)
 {
     char path[PATH_CAPACITY], number[32];
@@ -209,7 +209,7 @@ static void become_matc(const World *w, const char *const *arguments, long at, c
     setenv("STRIKE_HOW", how ? how : "", 1);
     if (how) {
         const char *options =
-            /* a sanitizer wants to be the first that is loaded, but need not be */
+            /* ASan would refuse to start if it is not loaded first */
             getenv("ASAN_OPTIONS");
         char more[PATH_CAPACITY];
         snprintf(more, sizeof more, "%s:verify_asan_link_order=0", options ? options : "");
@@ -222,7 +222,7 @@ static void become_matc(const World *w, const char *const *arguments, long at, c
     _exit(127);
 }
 
-/* Its exit status; -1: it was killed. */
+/* Returns the exit status; -1: killed. */
 int world_run(World *w, const char *const *arguments, long at, const char *how)
 {
     int status = 0;
@@ -266,7 +266,7 @@ int world_make(void **state)
     World *w = calloc(1, sizeof *w);
     char path[PATH_CAPACITY];
     *state = w;
-    /* in memory */
+    /* a memory file system */
     strcpy(w->root, access("/dev/shm", W_OK) ? "/tmp/matc_killXXXXXX" : "/dev/shm/matc_killXXXXXX");
     if (!mkdtemp(w->root))
         return -1;
@@ -310,7 +310,7 @@ int world_remove(void **state)
     return 0;
 }
 
-/* Calls of the last run. */
+/* Reads the names of the last run's calls. */
 static void read_calls(World *w)
 {
     char path[PATH_CAPACITY], *rest;
@@ -332,7 +332,7 @@ bool call_is_one_of(const char *name, const char *const *names)
     return *names != NULL;
 }
 
-/* The folder before the run, and after it, and the calls. */
+/* Records the folder before the run and after it, and the calls. */
 void world_prepare(World *w, const Scenario *s)
 {
     char path[PATH_CAPACITY];
@@ -346,7 +346,7 @@ void world_prepare(World *w, const Scenario *s)
     bytes_free(&w->before);
     bytes_free(&w->after);
     w->before = world_tree(path, true);
-    assert_int_equal(world_run(w, s->run, 0, "kill"), 0); /* at call 0: it only counts */
+    assert_int_equal(world_run(w, s->run, 0, "kill"), 0); /* 0: calls are only counted */
     world_path(w, "now", path);
     w->after = world_tree(path, true);
     read_calls(w);

@@ -1,5 +1,5 @@
-/* Runs of matc over a folder, which are struck at one of their calls: ended before it, or the call
- * fails (strike.c). Faults are those of the test. */
+/* Runs of matc over a folder that are disturbed at one system call: the process is killed before
+ * the call, or the call fails (strike.c). A failed check ends the test. */
 #ifndef TESTS_KILL_WORLD_H
 #define TESTS_KILL_WORLD_H
 #include "compiler/base/bytes.h"
@@ -7,32 +7,32 @@
 #include <stdbool.h>
 
 enum { PATH_CAPACITY = 1024, MAX_ARGUMENTS = 20, MAX_CALLS = 1000, SCENARIOS = 7 };
-enum { STRIKE_STEP = SANITIZED ? 4 : 1 }; /* calls from one that is struck to the next */
+enum { STRIKE_STEP = SANITIZED ? 4 : 1 }; /* a strike at every STRIKE_STEP-th call */
 
 typedef struct {
     const char *name;
-    const char *before[MAX_ARGUMENTS]; /* what was run earlier; none: nothing was */
+    const char *before[MAX_ARGUMENTS]; /* arguments of an earlier run; empty: none */
     const char *run[MAX_ARGUMENTS];
-    /* the same with a document that has a fault; none: no such run */
+    /* the same with a faulty document; empty: no such run */
     const char *faulty[MAX_ARGUMENTS];
-    bool index; /* out/manifest.json is an index of out */
+    bool index; /* out/manifest.json lists the files of out */
     bool cache;
 } Scenario;
 extern const Scenario scenarios[SCENARIOS];
 
-/* Below root: the documents, the folder "old" as it was before the run, and "now", in which matc
+/* Below root: the documents, the folder "old" from before the run, and "now", in which matc
  * runs. */
 typedef struct {
     char root[PATH_CAPACITY / 4];
-    Bytes before, after;    /* the folder as it was before the run, and as it should be after it */
-    char *calls[MAX_CALLS]; /* names, in their order, from 1 */
+    Bytes before, after;    /* the folder before the run, and as expected after it */
+    char *calls[MAX_CALLS]; /* names of the calls in order, from 1 */
     long call_count;
     int wrong;
-    int left;   /* runs that succeeded but left files to remove */
-    int halves; /* runs that failed while they moved files */
+    int left;   /* runs that succeeded and left files to remove */
+    int halves; /* runs that failed while moving files */
 } World;
 
-/* Where a scenario was struck: at its n-th call. */
+/* The scenario and the number of the struck call. */
 typedef struct {
     const Scenario *scenario;
     long n;
@@ -44,27 +44,28 @@ typedef struct {
 int world_make(void **state);
 int world_remove(void **state);
 
-/* The folder before the run, and after it, and the calls: from a run that is not struck. */
+/* Records the folder before the run and after it, and the calls, from an undisturbed run. */
 void world_prepare(World *w, const Scenario *s);
-/* "now" is as it was before the run. */
+/* Restores "now" to its state before the run. */
 void world_reset(const World *w);
-/* matc's exit status; -1: it was killed. At its call number `at`, from 1, it is struck as `how`
- * says, words of strike.c; NULL: never. */
+/* Returns matc's exit status; -1: killed. Call number `at`, from 1, is struck by the method
+ * `how` of strike.c; NULL: none. */
 int world_run(World *w, const char *const *arguments, long at, const char *how);
-/* The output of the last run contains that text. */
+/* True if the output of the last run contains the text. */
 bool world_says(const World *w, const char *what);
-/* Counts what is not fine, and says it. */
+/* Counts and reports a failed check. */
 void world_check(World *w, bool fine, const Strike *at, const char *what);
 
 /* A path below the root. */
 void world_path(const World *w, const char *name, char path[PATH_CAPACITY]);
-/* All names below a folder and all bytes, but for the GPU scene's; without what only a next run
+/* All names and bytes below a folder, except the cache's; without files that only the next run
  * removes, unless `hidden`. */
 Bytes world_tree(const char *path, bool hidden);
-/* "now" is such a tree. */
+/* True if "now" has the content of the tree. */
 bool world_is(const World *w, const Bytes *tree, bool hidden);
-/* There is no manifest, or the old one with all old files, or the new one with all new files. */
+/* True if there is no manifest, or the old one with all old files, or the new one with all new
+ * files. */
 bool world_index_is_true(const World *w);
-/* A call's name is in a list, which ends with NULL. */
+/* True if a call's name is in a list, which ends with NULL. */
 bool call_is_one_of(const char *name, const char *const *names);
 #endif

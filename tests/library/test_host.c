@@ -1,6 +1,6 @@
-/* The renderer as a library (matc_render.h), on a context that somebody else made: the same
- * pictures as on one of its own, changes, of displaced meshes too, what is refused, and that the
- * context stays its owner's. */
+/* The renderer as a library (matc_render.h), on a context that the host made: pictures equal
+ * those on the renderer's own context, also after changes and with displaced meshes; refused
+ * calls; and the host's GL state stays unchanged. */
 /* ctest: seconds=60 */
 #include "tests/test.h"
 #include "runtime/gl/backend.h"
@@ -51,7 +51,7 @@ static Host open_host_of(const char *document_text)
 
 static Host open_host(void) { return open_host_of(text); }
 
-/* The context goes on. */
+/* Closes the host; the context stays usable. */
 static void close_host(Host *h)
 {
     matc_renderer_close(h->render);
@@ -70,7 +70,7 @@ static float *read_host(const Host *h)
     return rgba;
 }
 
-/* As on a context of its own, bit for bit, at first and after each change. */
+/* Compares with a renderer on its own context, bit for bit, at first and after each change. */
 static void assert_as_own(const Host *h, const char *document_text)
 {
     MatcOptions options;
@@ -158,8 +158,7 @@ static void draws_and_changes(void **state)
     "- { object: Box, material: rock, transform: { translation: [" third "] } }\n"                 \
     "- { object: Cone, material: { material: Phong }, transform: { translation: [0, 1, 0] } }\n"
 
-/* An object displaced by a param, by its position, or by its size, changes its shape when that
- * changes. */
+/* An object displaced by a param, by its position, or by its size, changes its shape with these. */
 static void displaces_again(void **state)
 {
     (void)state;
@@ -190,7 +189,7 @@ static void displaces_again(void **state)
     close_host(&h);
 }
 
-/* From one method to the next, and back, and by one that there is not. */
+/* Changes from one method to the next, and back, and to an unknown one. */
 static void casts_otherwise(void **state)
 {
     (void)state;
@@ -261,7 +260,7 @@ static void hides_and_removes(void **state)
     close_host(&h);
 }
 
-/* Shadows of each method, and edges, leave out what is hidden. */
+/* Shadows of each method, and edges, omit hidden objects. */
 static void hides_from_every_shadow(void **state)
 {
     (void)state;
@@ -301,7 +300,7 @@ static void hides_from_voxels(void **state)
     close_host(&h);
 }
 
-/* A square in memory is the Parallelogram of the document. */
+/* A square mesh in memory equals the document's Parallelogram. */
 static void adds_meshes(void **state)
 {
     (void)state;
@@ -381,7 +380,7 @@ static void goes_by_time(void **state)
     close_host(&h);
 }
 
-/* The picture arrives in a framebuffer of the host's, in the rectangle and nowhere else. */
+/* The picture is written to the given rectangle of the host's framebuffer and to no other pixel. */
 static void draws_to_a_framebuffer(void **state)
 {
     (void)state;
@@ -441,7 +440,7 @@ static void finds_by_name(void **state)
     close_host(&h);
 }
 
-/* Whatever is wrong is refused with a reason, and the picture stays. */
+/* Every wrong argument is refused with a reason, and the picture stays unchanged. */
 static void edits_refused(void **state)
 {
     (void)state;

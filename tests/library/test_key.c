@@ -1,5 +1,5 @@
-/* When programs have equal keys and shapes, what their places are, and how places become members of
- * a buffer. */
+/* Equality of programs' keys and shapes, the places of their constants, and the mapping of
+ * places to members of a buffer. */
 /* ctest: quick */
 #include "tests/test.h"
 #include "compiler/matc.h"
@@ -42,7 +42,7 @@ static void release(Compiled *c)
     matc_document_free(c->document);
 }
 
-/* Bits: 1, the keys are equal; 2, the shapes. */
+/* Returns bits: 1, the keys are equal; 2, the shapes. */
 static int meeting(const char *text, const char *other, const char *option, const char *value)
 {
     Compiled a = compile("a.yaml", text, option, value),

@@ -1,4 +1,5 @@
-/* The library: several materials, textures, uniforms, threads, and that no fault is silent. */
+/* The library's use by programs: several materials, textures, uniforms, threads; every fault is
+ * reported. */
 #include "tests/test.h"
 #include "compiler/base/session.h"
 #include "grammar/tables.h"
@@ -96,7 +97,7 @@ static void reflection_fits_the_shader(void **state)
     }
 }
 
-/* Every cut of a document is either read or refused with a place; nothing else happens. */
+/* Every truncation of a document is either read or refused with a place. */
 static void cut_documents_are_refused(void **state)
 {
     (void)state;
@@ -240,8 +241,8 @@ static void deep_chains_are_bounded(void **state)
     }
 }
 
-/* Waves too deep to be resolved, beside maps of just the depth that is allowed: what is said is
- * said of the waves alone. */
+/* Waves nested too deep to resolve, next to maps of exactly the allowed depth: only the waves
+ * are reported. */
 static void what_is_too_deep_leaves_its_neighbours_their_depth(void **state)
 {
     (void)state;

@@ -1,4 +1,4 @@
-/* The library's options: names and their values, structs of older and newer programs. */
+/* The library's options: names and their values, option structs of older and newer versions. */
 #include "tests/test.h"
 #include "grammar/tables.h"
 #include "tests/compile_text.h"
@@ -70,7 +70,8 @@ static void put_value(MatcOptions *options, const char *option, const char *valu
             *members[i].member = value;
 }
 
-/* None is set by its name, and a program that has one all the same says which values there are. */
+/* Unknown values are refused by name, and a program that sets one nevertheless gets the list of
+ * values. */
 static void unknown_values_are_refused(void **state)
 {
     (void)state;
@@ -99,8 +100,8 @@ static void unknown_values_are_refused(void **state)
     assert_false(matc_options_set(&options, "optimize", "2"));
 }
 
-/* A program that was compiled with fewer options: what lies behind its struct is not touched, what
- * it lacks has its default. */
+/* A program compiled with fewer options: memory after its struct is not accessed, and missing
+ * options have their defaults. */
 static void older_options_work(void **state)
 {
     (void)state;

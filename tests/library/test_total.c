@@ -1,5 +1,5 @@
-/* Every function of matc.h answers every call: of a document with faults, an index beyond what
- * there is, a program or a layout that is not ok, no options. */
+/* Every function of matc.h handles every call: a document with errors, an index out of range, a
+ * program or layout that is not ok, missing options. */
 #include "tests/test.h"
 #include "tests/compile_text.h"
 #include <limits.h>
@@ -135,7 +135,7 @@ static void unset_options(void **state)
     }
 }
 
-/* An output that was not asked for is absent, whatever was made on the way to another. */
+/* An unrequested output is absent, even if it was computed for another. */
 static void outputs_are_those_asked_for(void **state)
 {
     (void)state;
@@ -163,7 +163,7 @@ static void outputs_are_those_asked_for(void **state)
     matc_document_free(d);
 }
 
-/* The values that matc_options_set is given may go, and the options may be copied. */
+/* Values passed to matc_options_set may be freed, and the options may be copied. */
 static void options_hold_their_values(void **state)
 {
     (void)state;

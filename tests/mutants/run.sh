@@ -1,12 +1,16 @@
 #!/bin/sh
-# Would the tests notice? Puts one fault at a time into a copy of the project, builds the tests that are nearest to it, and runs
-# them: mutants.txt has the faults. Run from anywhere; nothing in the tree that it stands in is touched.
-#   run.sh [-j N] [--golden] [--again] [NAME...]   the rows named, or all; what is known of the same sources is not run again
-#   run.sh --check                                 says which rows are stale, without building anything
-#   -j N      in N copies at once
-#   --golden  what lives is given to the goldens, too; those that die by them alone are counted apart
-#   --again   those that lived or did not build the last time, whatever has changed
-# Copies and results lie in $MATC_MUTANTS, else in build/mutants. Exit status: 0, all died; 1, some live; 2, a row is at fault.
+# Mutation testing: inserts one fault of mutants.txt at a time into a copy of the project, builds
+# the nearest tests, and runs them; at least one must fail. Run from any folder; the source tree is
+# not changed.
+#   run.sh [-j N] [--golden] [--again] [NAME...]   runs the named rows, or all; results for equal
+#                                                  sources are reused
+#   run.sh --check                                 reports stale rows, without building
+#   -j N      uses N copies in parallel
+#   --golden  also runs the goldens on surviving mutants; those that only goldens kill are counted
+#             separately
+#   --again   reruns rows that survived or did not build the last time, even if sources are equal
+# Copies and results are in $MATC_MUTANTS, or else in build/mutants. Exit status: 0, all mutants
+# were killed; 1, some survived; 2, a row is invalid.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../.." && pwd)

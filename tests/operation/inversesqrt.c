@@ -1,6 +1,6 @@
-/* An operation is a row and its lines: this program is built with the one that the head of
- * grammar/ops.def adds, and with nothing else changed. It is built by its word, folded, evaluated,
- * differentiated, bounded, counted, printed, read and written. */
+/* A new operation needs only its row and that row's lines: this program is built with the
+ * operation that the head of grammar/ops.def adds, and with no other change. The operation is
+ * built by name, folded, evaluated, differentiated, bounded, counted, printed, read and written. */
 #include "compiler/ir/build.h"
 #include "compiler/ir/fold.h"
 #include "compiler/ir/range.h"

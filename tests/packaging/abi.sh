@@ -1,8 +1,8 @@
 #!/bin/sh
-# Compares the symbols that the libraries export with tests/packaging/abi.txt, and libmatc_render's own functions
-# with tests/packaging/abi_render.txt: abi.sh LIBRARY...; abi.sh --update libmatc.so writes the list. A line may be
-# added there; one that goes, or changes its version, breaks programs that are compiled already, and wants a new number of the
-# library.
+# Compares the symbols that the libraries export with tests/packaging/abi.txt, and
+# libmatc_render's own functions with tests/packaging/abi_render.txt: abi.sh LIBRARY...;
+# abi.sh --update libmatc.so writes the list. Lines may be added; a line that disappears, or changes
+# its version, breaks compiled programs and requires a new soname version.
 set -u
 export LC_ALL=C
 status=0

@@ -1,6 +1,7 @@
 #!/bin/sh
-# What docs/guide/build.md has for another build tool, followed to the letter with the installed package: build_tools.sh BUILD_FOLDER
-# ninja|make|meson. Built twice, the second time nothing is done. Run from the project's root. Status 77: skipped.
+# Follows docs/guide/build.md for another build tool, with the installed package:
+# build_tools.sh BUILD_FOLDER ninja|make|meson. Builds twice; the second build must do nothing. Run
+# from the project's root. Status 77: skipped.
 set -u
 build=$1
 tool=$2

@@ -1,6 +1,7 @@
 #!/bin/sh
-# The sample engine, built from the installed package outside of the source tree, as somebody else would: install.sh BUILD_FOLDER
-# [GENERATOR]. Then what is rebuilt when a picture, definitions, a layout or nothing changes. Run from the project's root.
+# Builds the sample engine with the installed package, outside of the source tree:
+# install.sh BUILD_FOLDER [GENERATOR]. Then checks what is rebuilt after a change of a picture,
+# definitions, a layout or nothing. Run from the project's root.
 set -u
 build=$1
 generator=${2:-Ninja}

@@ -1,5 +1,6 @@
 #!/bin/sh
-# The installed package for programs in C and for CMake, without the batch: package.sh BUILD_FOLDER. Run from the project's root.
+# Tests the installed package for C programs and for CMake, without the batch:
+# package.sh BUILD_FOLDER. Run from the project's root.
 set -u
 build=$1
 source=$(pwd)

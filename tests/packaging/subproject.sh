@@ -1,6 +1,6 @@
 #!/bin/sh
-# matc as a folder of another project, by add_subdirectory, as FetchContent does: its library, its compiler, its function. Run
-# from the project's root.
+# Uses matc as a subfolder of another project, by add_subdirectory as FetchContent does: its
+# library, its compiler, its CMake function. Run from the project's root.
 set -eu
 source=$(pwd)
 work=$(mktemp -d)

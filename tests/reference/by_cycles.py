@@ -1,5 +1,5 @@
-"""A world by Cycles: Lambert's surfaces, each light in a picture of its own, since Cycles takes one of them at random for a sample. Light
-without extent leaves to chance only where in a pixel a sample lies, and that is within 0.005 pixels of its middle."""
+"""Renders a world with Cycles: Lambertian surfaces, one picture per light, because Cycles picks a random light for
+each sample. For lights without extent only a sample's place in its pixel is random, within 0.005 pixels of the center."""
 import ast
 import math
 import os

@@ -1,5 +1,6 @@
-"""A world by POV-Ray: true spheres, cylinders, cones and planes, smooth meshes. One ray a pixel, through its middle. Its Phong lobe,
-max(R.l, 0)^n, is not multiplied with the cosine as ours is: the cosine is a picture of its own, and so is the lobe, for each light."""
+"""Renders a world with POV-Ray: true spheres, cylinders, cones and planes, smooth meshes; one ray through each pixel's
+center. Its Phong lobe, max(R.l, 0)^n, is not multiplied by the cosine as ours is, so that cosine and lobe are drawn as
+separate pictures for each light."""
 import math
 import os
 import subprocess

@@ -1,4 +1,5 @@
-"""What a renderer gave, as a file: linear light in R, G and B as floats, and in A which pixels are compared. Rows go from the top."""
+"""Writes a renderer's result to a file: linear light in R, G and B as floats, and in A a mask of the pixels to compare.
+Rows from the top."""
 import struct
 import zlib
 

@@ -1,4 +1,5 @@
-"""Renders the references: `blender -b --factory-startup -P tests/reference/render.py -- [NAME ...]`. Without a name, all; README.md says more."""
+"""Renders the references: `blender -b --factory-startup -P tests/reference/render.py -- [NAME ...]`; all without a name.
+See README.md."""
 import glob
 import os
 import sys

@@ -1,4 +1,5 @@
-"""Writes studio.exr, a room by formulas to light surfaces with: `blender -b --factory-startup -P tests/reference/studio.py`. Grey walls, lighter above; a window 60 times as bright, a warm one 12 times."""
+"""Writes studio.exr, an environment map by formulas: `blender -b --factory-startup -P tests/reference/studio.py`.
+Gray walls, lighter above; a window 60 times as bright, and a warm one 12 times."""
 import os
 import sys
 

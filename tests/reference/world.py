@@ -1,5 +1,6 @@
-"""A scene's document as lists: objects with matrices and materials, lights, a camera. Written from the lines of `matc --list=scenes` and
-docs/reference/semantics.md, and shares nothing with the C code. It takes what the scenes of this folder have, and stops at anything else."""
+"""Reads a scene document into lists: objects with matrices and materials, lights, a camera. Written from `matc
+--list=scenes` and docs/reference/semantics.md; shares no code with the C sources. Supports only the features of this
+folder's scenes, and fails on any other."""
 import math
 import os
 

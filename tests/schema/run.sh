@@ -1,5 +1,6 @@
 #!/bin/sh
-# The schemas by a validator from npm: run.sh MATC BUILD_FOLDER. Run from the project's root. Status 77: skipped.
+# Validates matc's JSON files against its schemas with a validator from npm:
+# run.sh MATC BUILD_FOLDER. Run from the project's root. Status 77: skipped.
 set -u
 . tests/npm.sh
 matc=$1

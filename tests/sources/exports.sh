@@ -1,9 +1,11 @@
 #!/bin/sh
-# What a name, a signature and a file promise: every function that other files see begins with its file's name, a part of it from the left
-# (layout_read.c: layout_), its folder's, or a type of the header that declares it (KeySet: key_set_, FieldRow: field_); no function takes more than
-# five parameters; and no file is longer than 700 lines. Names are read from the object files of a build;
-# prints what breaks the rules, and the counts. Run: exports.sh BUILD.
-# Worked example: compiler/base/hash.c may export hash_bytes, base_hash, and, as hash.h defines Key, key_read.
+# Naming and size rules: the name of every exported function begins with a prefix of its file's name
+# (layout_read.c: layout_), its folder's name, or a type of the header that declares it (KeySet:
+# key_set_, FieldRow: field_); no function takes more than five parameters; no file is longer than
+# 700 lines. Names are read from a build's object files. Prints violations and counts. Run:
+# exports.sh BUILD.
+# Worked example: compiler/base/hash.c may export hash_bytes, base_hash, and, as hash.h defines Key,
+# key_read.
 set -eu
 build=${1:?exports.sh BUILD}
 most=5

@@ -1,9 +1,11 @@
 #!/bin/sh
-# Data flows one way: every include and every call between folders stands in tests/sources/layers.txt, nothing in the table goes in a circle,
-# and no files call each other in a circle but those that it names. Calls are read from the object files of a build, so that a
-# declaration that somebody writes by hand does not hide one. Run: layers.sh BUILD [TABLE].
-# Worked example: ir_make in compiler/ir/ir.c calls fold_node of compiler/ir/fold.c: the edge ir.c -> fold.c; fold_node calling ir_make
-# would close the circle "ir.c fold.c", and tsort would name both.
+# Checks layering: every include and every call between folders is in tests/sources/layers.txt, the
+# table has no cycle, and no files call each other in a cycle except those that it names. Calls are
+# read from a build's object files, so that a handwritten declaration hides none. Run:
+# layers.sh BUILD [TABLE].
+# Worked example: ir_make in compiler/ir/ir.c calls fold_node of compiler/ir/fold.c: the edge
+# ir.c -> fold.c; fold_node calling ir_make would close the cycle "ir.c fold.c", and tsort would
+# name both.
 set -eu
 build=${1:?layers.sh BUILD}
 table=${2:-tests/sources/layers.txt}

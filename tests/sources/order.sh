@@ -1,7 +1,8 @@
 #!/bin/sh
-# Finds expressions that make IR nodes in an order that C leaves open: two arguments of a call, two members of an
-# initialiser, or both operands of an operator that call functions which take an `Ir *` or a `Lower *`. What only reads
-# takes a `const Ir *`. REFS (compiler/ir/build.h) or a variable of its own gives each an order.
+# Finds expressions that make IR nodes in an order that C leaves unspecified: two arguments of a
+# call, two members of an initializer, or both operands of an operator that call functions with an
+# `Ir *` or `Lower *` parameter. Functions that only read take a `const Ir *`. REFS
+# (compiler/ir/build.h) or a local variable gives each node an order.
 # order.sh [FILE...]. Run from the project's root. Status 77: skipped.
 set -eu
 command -v clang-query >/dev/null || {

@@ -1,8 +1,10 @@
 #!/bin/sh
-# Each test is run by at least one of the builds: ran.sh BUILD_FOLDER... Prints those that none runs. Tests are those that cmake/tests.cmake and
-# CMakeLists.txt name, every test_<name>.c in a folder of tests/ and every tests/fuzz/fuzz_<name>.c; what a build has stands in its CTestTestfile.cmake: to ask ctest
-# would end the log of its run. A test that a build left out when it ran, as it says by "SKIPPED: the build ", is none of that build's; one that
-# needs what is not installed is. Run from the project's root.
+# Checks that each test is run by at least one of the builds: ran.sh BUILD_FOLDER... Prints those
+# that no build runs. Tests are those that cmake/tests.cmake and CMakeLists.txt name, every
+# test_<name>.c in a folder of tests/ and every tests/fuzz/fuzz_<name>.c. A build's tests are read
+# from its CTestTestfile.cmake, because a call of ctest would truncate the log of its run. A test
+# that printed "SKIPPED: the build " does not count as run by that build; one that was skipped for a
+# missing package does. Run from the project's root.
 set -eu
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT

@@ -3,7 +3,7 @@
 #include "choices.h"
 #include <string.h>
 
-/* The largest of these is the promised domain of coordinates. */
+/* The largest number is the documented bound of coordinates. */
 static const float specials[] = {
     0,     -0.f, 1e-40f, -1e-40f, 1e-8f,     -1e-8f,       1,     -1,     1e4f,
     -1e4f, 1e6f, -1e6f,  1e8f,    -1e8f,     1.17549e-38f, 0.25f, 65536,  -65536,
@@ -35,7 +35,7 @@ static void direction(Choices *c, float v[3], float length)
     v[2] = (float)(length * z);
 }
 
-/* A normal and two tangents, of a hostile point often degenerate. */
+/* A normal and two tangents, often degenerate at a hostile point. */
 static void frame(Choices *c, Point *p, bool hostile)
 {
     static const float lengths[] = {1, 0.25f, 7, 0, 1e-30f, 1e-8f, 1e4f, 1e-40f};
@@ -48,8 +48,8 @@ static void frame(Choices *c, Point *p, bool hostile)
     memcpy(p->input[INPUT_eyeN], p->input[INPUT_N], sizeof p->input[0]);
 }
 
-/* How the local position changes by u and v: rarely not at all, and never by so little that
- * differences lose it beside the position. */
+/* Derivatives of the local position by u and v: rarely zero, and never so small that differences
+ * of the position lose them. */
 static void local_tangents(Choices *c, Point *p, bool hostile)
 {
     static const float lengths[] = {1, 0.25f, 2, 0, 0.01f, 100};

@@ -1,4 +1,4 @@
-/* The grammar, run backwards. Flow style, so that nothing depends on columns. */
+/* The grammar as a generator. Writes YAML's flow style, so that indentation does not matter. */
 #include "generate.h"
 #include "grammar/tables.h"
 #include <math.h>
@@ -18,12 +18,12 @@ enum {
 typedef struct {
     Choices *c;
     Text *out;
-    int left;        /* maps that may still be made */
-    int definitions; /* that may be referred to */
-    int filters;     /* within which this stands */
-    int params;      /* uniforms so far */
+    int left;        /* remaining number of maps */
+    int definitions; /* definitions that may be referenced */
+    int filters;     /* number of enclosing filters */
+    int params;      /* number of uniforms */
     bool hostile;
-    bool relief; /* of maps that rise and fall */
+    bool relief; /* generate a height map */
 } Generator;
 
 static void map_value(Generator *g);
@@ -42,7 +42,7 @@ static double any_number(Generator *g)
     return generate_number(g->c, -GENERATE_GREATEST, GENERATE_GREATEST, g->hostile);
 }
 
-/* Parameters that must be known when the program is written. */
+/* Parameters that must be compile-time constants. */
 static bool may_be_param(const ParamRow *row)
 {
     return row->kind != KIND_Carpenter && strcmp(row->name, "octaves") &&
@@ -81,7 +81,7 @@ static void put_numeric(Generator *g, const ParamRow *row)
     bool param = may_be_param(row) && choose_param(g);
     double low = fmax(row->low, -GENERATE_GREATEST), high = fmin(row->high, GENERATE_GREATEST);
     if (row->kind == KIND_Carpenter && high == 2048)
-        high = WIDEST_RELIEF; /* a large one takes long to make and shows nothing new */
+        high = WIDEST_RELIEF; /* a large relief is slow and finds no more faults */
     if (param)
         begin_param(g);
     if (row->type == PARAM_Int) {
@@ -154,7 +154,7 @@ static void put_transform(Generator *g)
     text_put(g->out, " }");
 }
 
-/* Values that ascend, some of them equal; rarely any values; `plain`: a list of maps. */
+/* Ascending values, some of them equal; rarely unordered ones; `plain`: a list of maps. */
 static void put_items(Generator *g, bool plain)
 {
     int count = g->relief ? 2 + (int)choose(g->c, MAX_ITEMS - 1) : (int)choose(g->c, MAX_ITEMS + 1);
@@ -182,7 +182,7 @@ static void put_items(Generator *g, bool plain)
     text_put(g->out, "]");
 }
 
-/* One of a list's names. */
+/* A keyword of a list. */
 static void put_word(Generator *g, const ParamRow *row)
 {
     int first = 0, count = 0;
@@ -192,7 +192,7 @@ static void put_word(Generator *g, const ParamRow *row)
     text_put(g->out, keyword_table[first + (int)choose(g->c, (uint32_t)count)].name);
 }
 
-/* Where the map is asked, and not what of. */
+/* True for a parameter that is a position, not a content. */
 static bool is_place(const ParamRow *row)
 {
     return !strcmp(row->name, "input") && row->kind != KIND_Blend && row->kind != KIND_Smooth3D &&
@@ -231,9 +231,8 @@ static void put_value(Generator *g, const ParamRow *row)
     }
 }
 
-/* A map's inputs are what it is about: they are more often given than a number. A relief varies:
- * its maps are asked at the surface, or at what a transform makes of it, and its Blends have
- * items. */
+/* Inputs of a map are given more often than its numbers. A relief has to vary: its maps read the
+ * surface's position or a transform of it, and its Blends have items. */
 static bool is_given(Generator *g, const ParamRow *row)
 {
     if (g->relief && (row->type == PARAM_Items || is_place(row)))
@@ -243,8 +242,8 @@ static bool is_given(Generator *g, const ParamRow *row)
     return chance(g->c, 1, 2);
 }
 
-/* In a relief mostly one whose slope is known by differences; Blends, whose items end there, and
- * what is costly enough for a branch. */
+/* In a relief mostly a map with finite difference slopes; Blends, whose items end there, and
+ * maps costly enough for a branch. */
 static Kind choose_map(Generator *g)
 {
     static const Kind first = KIND_Constant + 1;
@@ -257,7 +256,7 @@ static Kind choose_map(Generator *g)
     return (Kind)(first + choose(g->c, KIND_COUNT - first));
 }
 
-/* Its inputs are read by their first components: how many they have is not known here. */
+/* Its inputs are read by their first components, because their widths are unknown here. */
 static void put_expression(Generator *g)
 {
     const int inputs = g->left > 1 ? (int)choose(g->c, MAX_INPUTS + 1) : 0;
@@ -340,7 +339,7 @@ static void put_material_parameter(Generator *g, const ParamRow *row, int depth)
         put_value(g, row);
 }
 
-/* Mostly a Phong. Mixes and coats may stand in one another, switches stand outermost. */
+/* Mostly a Phong. Mixes and coats may be nested, switches are outermost. */
 static Kind choose_material(Choices *c, int depth)
 {
     static const Kind others[] = {
@@ -356,7 +355,7 @@ static bool moves_surface(const ParamRow *row)
     return !strncmp(row->name, "displacement", strlen("displacement"));
 }
 
-/* parameters of a material, those of displacement among them, from which on fewer are given */
+/* a material with more parameters gets fewer of them, displacement included */
 enum { OWN_MANY = 10 };
 
 static void put_material(Generator *g, int depth)
@@ -382,7 +381,7 @@ void generate_document(Choices *c, Text *out)
         text_put(out, "defs:\n");
     for (int i = 0; i < definitions; i++) {
         g.left = size / 3;
-        g.filters = MAX_FILTERS; /* it may be used within others */
+        g.filters = MAX_FILTERS; /* the definition may be used within other filters */
         text_format(out, "  d%d: ", i);
         map_value(&g);
         g.definitions = i + 1;
@@ -393,8 +392,7 @@ void generate_document(Choices *c, Text *out)
     put_material(&g, 0);
 }
 
-/* A BumpMap's, or the surface's own: its normal is then that of the surface after it was
- * displaced. */
+/* A height for a BumpMap, or for displacement: then the normal is that of the displaced surface. */
 void generate_relief(Choices *c, Text *out)
 {
     static const int sizes[] = {1, 2, 4, 6, 9, 14};

@@ -1,4 +1,4 @@
-/* The one file of random documents. */
+/* The picture file that random documents use. */
 #include "generate.h"
 #include <stdio.h>
 #include <stdlib.h>

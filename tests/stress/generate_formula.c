@@ -1,6 +1,6 @@
-/* Formulas run backwards: text of random structure from the rows of expression.def, whose widths
- * agree. What a term makes large goes through an arc tangent, so that no product of such leaves
- * what a float holds; points may be anywhere, so a formula reads sines of them. */
+/* Generates formulas: text of random structure from the rows of expression.def, with matching
+ * widths. A term that may be large is passed through an arc tangent, so that no product of terms
+ * overflows a float; points may be anywhere, so formulas read sines of them. */
 #include "generate.h"
 #include "grammar/expression_tables.h"
 #include <stdio.h>
@@ -47,7 +47,7 @@ static void leaf(Formulas *f, int width)
         text_format(f->out, ".%.*s", width, "xyzw");
 }
 
-/* Its value may be large where its arguments are not. */
+/* True if the value may be large although its arguments are not. */
 static bool grows(const TermRow *row)
 {
     static const char *const names[] = {"exp",         "exp2",  "sinh",    "cosh",
@@ -59,7 +59,7 @@ static bool grows(const TermRow *row)
     return false;
 }
 
-/* A letter's width where the term's own is that; a number may stand for a vector. */
+/* Width for a letter: the term's own where the letter says so; a number may replace a vector. */
 static int width_of(Formulas *f, char letter, int own)
 {
     return letter == 'g' ? (chance(f->c, 1, 4) ? 1 : own) : letter == 'b' ? 0 : letter - '0';
@@ -99,10 +99,10 @@ static void term(Formulas *f, Term which, int width, int depth)
     }
     text_put(f->out, ")");
     if (term_result(row) == 'g' && width > 1)
-        text_format(f->out, " * vec%d(1)", width); /* all of its arguments may be numbers */
+        text_format(f->out, " * vec%d(1)", width); /* all of its arguments may be scalars */
 }
 
-/* Conditions of conditions end where no depth is left. */
+/* Nested conditions end at the depth limit. */
 static bool gives(const TermRow *row, int width, int depth)
 {
     const char result = term_result(row);
@@ -128,7 +128,7 @@ static void value(Formulas *f, int width, int depth)
         text_put(f->out, width ? "" : ")");
         return;
     }
-    leaf(f, width); /* nothing gives four components but what takes them */
+    leaf(f, width); /* only terms that also take four components give four */
 }
 
 void generate_formula(Choices *c, Text *out, int inputs)

@@ -1,4 +1,4 @@
-/* Numbers of documents: ordinary ones, and those at limits. */
+/* Generates numbers of documents: ordinary ones, and those at limits. */
 #include "generate.h"
 #include <math.h>
 

@@ -1,4 +1,4 @@
-/* Modes by their names. */
+/* Looks up modes by name. */
 #include "modes.h"
 #include <string.h>
 

@@ -1,4 +1,4 @@
-/* The choices under which random documents are tried: modes.def. */
+/* The option sets under which random documents are tried: modes.def. */
 #ifndef MATC_STRESS_MODES_H
 #define MATC_STRESS_MODES_H
 #include "compiler/matc.h"
@@ -8,14 +8,14 @@ enum { MODE_OPTIONS = 3 };
 typedef struct {
     const char *name;
     struct {
-        const char *name, *value; /* NULL behind the last */
+        const char *name, *value; /* terminated by a NULL name */
     } options[MODE_OPTIONS];
 } StressMode;
 
 extern const StressMode stress_modes[];
 extern const int stress_mode_count;
 
-/* NULL: there is no such mode. */
+/* Returns NULL for an unknown mode. */
 const StressMode *stress_mode(const char *name);
 void stress_mode_set(const StressMode *mode, MatcOptions *options);
 #endif

@@ -1,4 +1,4 @@
-/* Codes of fields, taken out of words. */
+/* Extracts the codes of fields from words. */
 #include "packed.h"
 #include <math.h>
 #include <stdlib.h>
@@ -15,7 +15,7 @@ static uint32_t code_of(const Piece *piece, uint32_t word)
     return piece->size == 32 ? word : word >> piece->shift & ((1u << piece->size) - 1);
 }
 
-/* A coordinate at the rim of the square has its neighbour on the other side of the rim. */
+/* A coordinate on the square's rim is adjacent to one on the opposite rim. */
 static bool coordinates_agree(uint32_t a, uint32_t b, int bits)
 {
     const uint32_t mask = (1u << bits) - 1;
@@ -46,7 +46,7 @@ static bool codes_agree(const FieldRow *field, uint32_t a, uint32_t b)
     case ENCODING_octahedral:
         return coordinates_agree(a, b, field->bits);
     case ENCODING_sphere:
-        return true; /* its neighbours lie anywhere around -z */
+        return true; /* near -z, adjacent codes are arbitrary directions around it */
     case ENCODING_sharedExponent:
         return shared_agree(a, b, field->bits);
     case ENCODING_full:
@@ -66,11 +66,11 @@ bool packed_agree(const LayoutRow *layout, int target, int component, const Pack
     if (layout_case_bits(layout) && !target && !component) {
         number = layout_case_of(layout, (uint32_t)a, (uint32_t)pair->last[0]);
         if (number != layout_case_of(layout, (uint32_t)b, (uint32_t)pair->last[1]))
-            /* the optimiser sees of more slots that they are as absent ones: the slots are compared
-             * by themselves */
+            /* the optimizer recognizes more slots as absent; the slots themselves are compared
+             * separately */
             return true;
     } else if (layout_case_bits(layout)) {
-        return true; /* which fields it holds stands in another word */
+        return true; /* the case, and so its fields, depends on another word */
     }
     if (layout_allocate(layout, number, &placement))
         return false;

@@ -4,13 +4,12 @@
 #define MATC_STRESS_PACKED_H
 #include "compiler/layout/layout.h"
 
-/* A component of a target: a finite half float, or a whole number of its bits. */
+/* True if a component fits its target: a finite half float, or an integer of its bits. */
 bool packed_in_range(double value, const FormatRow *format);
-/* Two words of the same place, and of the last one of their G-buffer, which may mark the case. */
+/* A word at -O0 and -O2, and the last word of each G-buffer, which may contain the case. */
 typedef struct {
     double word[2], last[2];
 } PackedPair;
-/* Their fields come from values that roundings may have set apart: each code is the same, or a
- * neighbour. */
+/* The packed values may differ by rounding: each code must be equal or adjacent. */
 bool packed_agree(const LayoutRow *layout, int target, int component, const PackedPair *pair);
 #endif

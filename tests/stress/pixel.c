@@ -1,5 +1,5 @@
-/* Every dFdx and dFdy becomes its argument times a factor: a product, where a driver takes the
- * difference of two pixels. */
+/* Replaces every dFdx and dFdy by its argument times a factor, in place of the driver's
+ * difference between two pixels. */
 #include "pixel.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -22,7 +22,7 @@ void pixel_inputs(Pixel pixel, double inputs[INPUT_COUNT][4])
     }
 }
 
-/* Behind the line that tells the version. */
+/* Inserts the definitions after the #version line. */
 char *pixel_program(Pixel pixel, const char *fragment)
 {
     size_t capacity = strlen(fragment) + 128, head = strcspn(fragment, "\n") + 1;

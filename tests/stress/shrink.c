@@ -1,5 +1,5 @@
-/* Passes over the script until none finds anything: runs of choices are left out, runs become 0,
- * numbers become less. */
+/* Delta debugging in passes over the script until a pass finds no improvement: runs of choices
+ * are removed, runs are set to 0, numbers are decreased. */
 #include "shrink.h"
 #include <string.h>
 
@@ -8,7 +8,7 @@ static bool still_fails(Shrinker *s, const uint32_t *script, int count)
     return s->tries-- > 0 && s->fails(s->user, script, count);
 }
 
-/* Without choices first..first+length-1. */
+/* Tries the script without choices first..first+length-1. */
 static bool leave_out(Shrinker *s, uint32_t *script, int *count, int first, int length)
 {
     uint32_t shorter[MAX_CHOICES];
@@ -37,7 +37,7 @@ static bool zero(Shrinker *s, uint32_t *script, int count, int first, int length
     return true;
 }
 
-/* The least number that still fails, as far as halving finds it. */
+/* Finds the smallest failing value of a choice, by bisection. */
 static void lessen(Shrinker *s, uint32_t *script, int count, int i)
 {
     uint32_t fine = script[i], least = 0;

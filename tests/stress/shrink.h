@@ -1,16 +1,16 @@
-/* Makes a script of choices smaller that leads to a fault, as long as what is made from it still
- * does. It knows nothing of what the choices mean. */
+/* Shrinks a script of choices that leads to a fault, as long as the fault persists. Does not
+ * interpret the choices. */
 #ifndef MATC_STRESS_SHRINK_H
 #define MATC_STRESS_SHRINK_H
 #include "choices.h"
 
 typedef struct {
-    /* Whether what the script leads to still has the fault. */
+    /* Returns true if the script's document still has the fault. */
     bool (*fails)(void *user, const uint32_t *script, int count);
     void *user;
-    int tries; /* that may still be made */
+    int tries; /* remaining number of tries */
 } Shrinker;
 
-/* In place; the new count. */
+/* Shrinks in place; returns the new count. */
 int shrink(Shrinker *s, uint32_t *script, int count);
 #endif

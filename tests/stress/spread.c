@@ -1,6 +1,6 @@
-/* Machines whose operations err, as roundings of ir_eval. One evaluation in eight errs to 0
- * wherever it may: a cross product of parallel vectors is 0 but for rounding, and what is made of a
- * true 0 may be something else. */
+/* Evaluates an IR with operations that err like the roundings of ir_eval. One evaluation in
+ * eight errs to 0 wherever possible: a cross product of parallel vectors is 0 except for
+ * rounding, and a true 0 may lead to another result. */
 #include "spread.h"
 #include "choices.h"
 #include "compiler/library/references.h"
@@ -8,7 +8,7 @@
 #include <string.h>
 
 static const double FLOAT_ULP = 1. / (1 << 23), DOUBLE_ULP = DBL_EPSILON;
-/* weights and results of eight bits: tests/draw/sampler.h */
+/* 8-bit weights and results of samplers: tests/draw/sampler.h */
 static const double SAMPLER_ERROR = 3. / 255;
 
 static double greatest(const FoldArg *arg)
@@ -19,7 +19,7 @@ static double greatest(const FoldArg *arg)
     return most;
 }
 
-/* Magnitude that the error of a result is relative to: sums of products may cancel. */
+/* Magnitude that a result's error is relative to: sums of products may cancel. */
 static double size_of(const IrNode *node, const FoldArg *args, double value)
 {
     double columns = 0;
@@ -55,12 +55,12 @@ typedef struct {
     int evaluation;
 } Erring;
 
-/* In [-1, 1). Every other evaluation errs alike wherever it does the same, as a driver's function
- * does: errors that do not cancel where many are summed. */
+/* A random error in [-1, 1). In every other evaluation equal operations have equal errors, like
+ * a driver's functions: such errors do not cancel in sums. */
 static double toss(Erring *e, const IrNode *node, int component)
 {
     Choices same;
-    e->random.count = 0; /* nothing is played back */
+    e->random.count = 0; /* no script is replayed */
     if (e->evaluation % 2 == 0)
         return 2 * choose_part(&e->random) - 1;
     same.script = NULL;
@@ -71,8 +71,8 @@ static double toss(Erring *e, const IrNode *node, int component)
     return 2 * choose_part(&same) - 1;
 }
 
-/* A library function rounds on its way too: what it would be of arguments that were off by as much,
- * also near 0. */
+/* Error of a library function's internal rounding: that of arguments with such errors, also near
+ * 0. */
 static double inner_error(Erring *e, const IrNode *node, const FoldArg *args, double value)
 {
     double numbers[64], result[4] = {0}, most = 0;
@@ -87,14 +87,14 @@ static double inner_error(Erring *e, const IrNode *node, const FoldArg *args, do
             used++;
         }
     reference_of((int)node->payload)(e->context, numbers, result);
-    /* which component this is, is not known: the nearest */
+    /* the component is unknown: take the nearest */
     for (int i = 0; i < type_table[node->type].components; i++)
         most = i && fabs(result[i] - value) > most ? most : fabs(result[i] - value);
     return 2 * most;
 }
 
-/* The footprint, which the last two arguments are but for what is shown, is surely below a
- * texel. */
+/* True if the footprint, given by the last two arguments before the displayed one, is certainly
+ * below a texel. */
 static bool is_magnified(const IrNode *node, const FoldArg *args)
 {
     double texels = 0;
@@ -105,7 +105,7 @@ static bool is_magnified(const IrNode *node, const FoldArg *args)
     return texels < 0.5;
 }
 
-/* Error of a library function whose arguments have errors already. */
+/* Error of a library function whose arguments already have errors. */
 static double call_error(const IrNode *node, const FoldArg *args, double value)
 {
     switch (node->payload) {
@@ -119,7 +119,7 @@ static double call_error(const IrNode *node, const FoldArg *args, double value)
     case FN_imageSampled:
     case FN_imageCentred:
         return SAMPLER_ERROR;
-    case FN_imageSampledOver: /* what a driver takes of a footprint above a texel is its own */
+    case FN_imageSampledOver: /* above a texel the driver's filter is undefined */
         return is_magnified(node, args) ? SAMPLER_ERROR : 1;
     case FN_imageRise:
         return 2e-6 * greatest(&args[2]);
@@ -136,8 +136,8 @@ static double call_error(const IrNode *node, const FoldArg *args, double value)
     }
 }
 
-/* Error of a texture that the driver decodes: tests/bounds.def, ColorSpace srgb. A slope has it
- * once for each texel it reads. */
+/* Error of an sRGB texture that the driver decodes: tests/bounds.def, ColorSpace srgb. A slope
+ * has it once for each texel it reads. */
 static double decoding_error(const Erring *e, const IrNode *node, const FoldArg *args)
 {
     const double decoded = 1.3e-3;
@@ -199,7 +199,7 @@ static bool is_exact(const IrNode *node)
     return exact[node->op] || node->type == TYPE_bool || node->type == TYPE_int;
 }
 
-/* Also of inputs and constants, which doubles hold exactly. */
+/* Also for inputs and constants, which doubles represent exactly. */
 static double double_error(const IrNode *node, const FoldArg *args, double value)
 {
     if (node->op == OP_input || node->op == OP_uniform || node->op == OP_member ||
@@ -285,8 +285,8 @@ static void widen(Spread *spread, const double result[MAX_OUTPUTS][4])
     }
 }
 
-/* With floats, one evaluation rounds as it should: it may meet a place, a texel or an edge, that no
- * other one meets. */
+/* For floats, one evaluation has regular rounding: it may reach a position, at a texel or an
+ * edge, that no random one reaches. */
 void spread_make(const Evaluated *at, Machine machine, int count, Spread *spread)
 {
     Erring erring = {.machine = machine, .context = at->context};

@@ -11,29 +11,29 @@ typedef struct {
     double low[MAX_OUTPUTS][4], high[MAX_OUTPUTS][4];
 } Spread;
 
-/* A program at a point, and what it gives there, exactly. */
+/* A program at a point, and its exact results. */
 typedef struct {
     const Ir *ir;
     const ReferenceContext *context;
-    const double (*inputs)[4]; /* of INPUT_COUNT */
-    const double (*value)[4];  /* of MAX_OUTPUTS */
+    const double (*inputs)[4]; /* INPUT_COUNT inputs */
+    const double (*value)[4];  /* MAX_OUTPUTS values */
 } Evaluated;
 
-/* Spread of `count` evaluations. The exact value is included. */
+/* Computes the spread of `count` evaluations; includes the exact value. */
 void spread_make(const Evaluated *at, Machine machine, int count, Spread *spread);
-/* How far a number lies outside, in units of max(1, |value|), the spread taken to be wider by its
- * own width on both sides. */
+/* Distance of a number from the spread, in units of max(1, |value|), with the spread widened by
+ * its own width on both sides. */
 double spread_miss(const Spread *spread, int output, int component, double value, double number);
 
-/* An evaluation as exact as doubles are, and what was seen on the way. */
+/* An evaluation in double, and statistics of its nodes. */
 typedef struct {
     double value[MAX_OUTPUTS][4];
-    double peak; /* greatest finite number of all nodes */
-    bool finite; /* all of them */
+    double peak; /* greatest finite magnitude of all nodes */
+    bool finite; /* all nodes are finite */
 } Evaluation;
 void evaluate_double(const Ir *ir, const ReferenceContext *context,
                      const double inputs[INPUT_COUNT][4], Evaluation *e);
-/* Every operation's result rounded to float, denormals to 0. */
+/* Evaluates with every result rounded to float, and denormals flushed to 0. */
 void evaluate_float(const Ir *ir, const ReferenceContext *context,
                     const double inputs[INPUT_COUNT][4], Evaluation *e);
 #endif

@@ -1,4 +1,4 @@
-/* Threads that take one tree after another; a fault is shrunk and told at once. */
+/* Threads that take one tree after another; a fault is shrunk and reported at once. */
 #include "compiler/layout/layout.h"
 #include "stress.h"
 #include "generate.h"
@@ -19,7 +19,7 @@ typedef struct {
     Point field[FIELD_COUNT];
     atomic_long next, done;
     atomic_int faults;
-    pthread_mutex_t lock; /* of the output and the total */
+    pthread_mutex_t lock; /* protects the output and the total */
     TrialCount *total;
     double start;
 } Run;
@@ -71,7 +71,7 @@ static void close_drawers(Worker *w)
     drawer_close(&w->compat_half);
 }
 
-/* It is drawn too. */
+/* Sets up the drawing of a trial. */
 static void plan_drawing(TrialPlan *plan, Worker *w)
 {
     plan->core = &w->core;
@@ -96,7 +96,7 @@ static TrialPlan plan_of(Worker *w, long index)
     return plan;
 }
 
-/* Whether a script's document has the same kind of fault. */
+/* State for the test whether a script's document has the same kind of fault. */
 typedef struct {
     TrialPlan plan;
     void (*generate)(Choices *choices, Text *text);
@@ -136,7 +136,7 @@ static void write_document(const Run *run, long index, const char *text)
     fprintf(run->options->out, "written to %s\n", path);
 }
 
-/* Shrinks and tells. */
+/* Shrinks and reports a fault. */
 static void report(Worker *w, long index, const TrialPlan *plan, const Choices *choices,
                    const TrialFault *fault)
 {
@@ -216,7 +216,8 @@ static void *work(void *user)
     return NULL;
 }
 
-/* Arenas come and go by the thousand: the system is not to be asked for each. */
+/* Keeps freed memory: arenas are made and freed by the thousand, and requesting each from the
+ * system is slow. */
 static void keep_memory(void)
 {
 #ifdef __GLIBC__

@@ -1,4 +1,4 @@
-/* Everything that needs no GL. */
+/* All checks of a trial that need no GL. */
 #include "trial.h"
 #include "compiler/layout/layout.h"
 #include "generate.h"
@@ -13,7 +13,7 @@ const char *const fault_names[] = {
     "none",     "document refused", "no IR",     "text of the IR", "not a number", "-O0",  "-O2",
     "in float", "packed",           "not valid", "not drawn",      "drawn NaN",    "drawn"};
 
-/* Evaluations of a spread: few first, many before anything is called a fault. */
+/* Numbers of evaluations of a spread: FEW first, MANY before a fault is reported. */
 enum { FEW = 12, MANY = 300 };
 static const double double_bound = 1e-9;
 
@@ -74,7 +74,7 @@ const Ir *trial_ir(Trial *t, Arena *arena, Pass pass, Slot slot, int level)
     return ir;
 }
 
-/* Slots that are more than a constant, and one of the others. */
+/* Selects the slots that are not constant, and one of the others. */
 static void find_slots(Trial *t)
 {
     int plain = 0;
@@ -97,7 +97,7 @@ static bool reads_back(Trial *t, Arena *arena, const Ir *ir)
     Session session = {.options = &t->options, .arena = arena};
     const char *wrong = "";
     if (!ir->output_count)
-        return true; /* the shadow of what is opaque */
+        return true; /* the shadow program of an opaque material */
     Text first = text_new(arena), second = text_new(arena);
     ir_print(&first, ir);
     const Ir *back = ir_read(&session, first.at, t->graph, &wrong);
@@ -107,11 +107,12 @@ static bool reads_back(Trial *t, Arena *arena, const Ir *ir)
     return !strcmp(first.at, second.at) || trial_fault(t, FAULT_text, "it changes:\n%s", first.at);
 }
 
-/* The forms of a program: -O0, -O2, and -O0 with the numbers in it that else come from a buffer.
- * What is computed of those is computed once, by matc, but rounds as if it stood in the program. */
+/* The versions of a program: -O0, -O2, and -O0 with inlined constants that otherwise come from a
+ * buffer. Expressions of such constants are folded by matc, but round as if the program computed
+ * them. */
 enum { AS_WRITTEN, OPTIMISED, WITH_NUMBERS, FORM_COUNT };
 
-/* A program in its forms, and what it samples. */
+/* A program in its versions, and its textures. */
 typedef struct {
     Arena arena;
     const Ir *ir[FORM_COUNT];
@@ -119,7 +120,7 @@ typedef struct {
     ReferenceContext context[FORM_COUNT];
     const char *name;
     Pixel pixel;
-    double greatest; /* a value on the way that is beyond this excuses all */
+    double greatest; /* a greater intermediate value excuses every result */
 } Program;
 
 static bool calls(const Ir *ir, Function function)
@@ -130,9 +131,9 @@ static bool calls(const Ir *ir, Function function)
     return false;
 }
 
-/* A sampler that takes the footprint from its neighbours sees none here. A picture is read so, or
- * with a footprint that is told, by whether the first who asks for it stands in a branch, which the
- * optimiser may change: where both are met, a pixel has no size. */
+/* Pixel size for a program. A sampler with implicit derivatives has no footprint here. A picture
+ * is sampled implicitly or with an explicit footprint depending on whether its first use is in a
+ * branch, which the optimizer may change; a program with both gets a pixel of size 0. */
 static Pixel pixel_of(const Trial *t, const Program *p)
 {
     bool sees = false, reported = false;
@@ -173,13 +174,13 @@ static bool make_program(Trial *t, Program *p, Pass pass, Slot slot)
     return reads_back(t, &p->arena, p->ir[OPTIMISED]);
 }
 
-/* One point of a program. */
+/* A program at one point. */
 typedef struct {
     Program *program;
     const Point *point;
     bool front;
     double inputs[INPUT_COUNT][4];
-    Evaluation exact[2]; /* by level */
+    Evaluation exact[2]; /* by optimization level */
 } Spot;
 
 static const char *where(const Spot *s)
@@ -197,7 +198,7 @@ static const char *where(const Spot *s)
     return text;
 }
 
-/* The plane and the eye of the passes that know them are those of the point. */
+/* The plane and the eye, in passes that have them, are those of the point. */
 static void spot_open(Spot *s, Program *program, const Point *point, bool front)
 {
     *s = (Spot){.program = program, .point = point, .front = front};
@@ -210,8 +211,8 @@ static void spot_open(Spot *s, Program *program, const Point *point, bool front)
     s->inputs[INPUT_depthZ][3] = -1;
 }
 
-/* Finite at every node, as written and optimised, in double and in float; false with no fault:
- * values leave the range. */
+/* Checks that every node is finite, as written and optimized, in double and in float; returns
+ * false without a fault if values exceed the limits. */
 static bool is_finite(Trial *t, Spot *s, bool *beyond)
 {
     Evaluation rounded;
@@ -232,13 +233,13 @@ static bool is_finite(Trial *t, Spot *s, bool *beyond)
     return true;
 }
 
-/* One component of an output at a level, and what it should be. */
+/* One component of an output at a level, and its expected value. */
 typedef struct {
     int level, output, component;
     double want;
 } Expected;
 
-/* The spread is only made where they are apart. */
+/* The spread is computed only if the values differ. */
 static bool agrees(Trial *t, Spot *s, const Expected *e)
 {
     const double got = s->exact[e->level].value[e->output][e->component], want = e->want;
@@ -279,7 +280,7 @@ static bool try_slot(Trial *t, Program *p, Slot slot)
             double capacity = wanted.capacity.component[slot][component];
             t->count->slopes += wanted.known && capacity > 0;
             if (capacity > 0 && fabs(want - written) <= capacity)
-                want = written; /* the optimiser is held to what was written */
+                want = written; /* the optimized program is compared with the unoptimized one */
             for (int level = 0; level < 2; level++)
                 if (!agrees(t, &s, &(Expected){level, 0, component, want}))
                     return false;
@@ -298,7 +299,7 @@ static int output_of(const Ir *ir, int target)
     return i;
 }
 
-/* The codes of the thesis' pairs: no exponent of a half float that is special. */
+/* Checks that the codes of the thesis' pairs have no special exponent of a half float. */
 static bool pairs_in_range(Trial *t, const Spot *s, const LayoutRow *layout)
 {
     Placement placement;
@@ -316,7 +317,7 @@ static bool pairs_in_range(Trial *t, const Spot *s, const LayoutRow *layout)
     return true;
 }
 
-/* Bounds of a picture, or of the G-buffer that the layout makes. */
+/* Checks the range of a picture, or of the layout's G-buffer. */
 static bool in_range(Trial *t, const Spot *s, const LayoutRow *layout)
 {
     const Ir *ir = s->program->ir[1];
@@ -331,7 +332,7 @@ static bool in_range(Trial *t, const Spot *s, const LayoutRow *layout)
     return !layout || pairs_in_range(t, s, layout);
 }
 
-/* The layout that a pass writes; NULL: it is no G-buffer's. */
+/* The layout that a pass writes; NULL: the pass writes no G-buffer. */
 static const LayoutRow *layout_of(const Trial *t, Pass pass)
 {
     Job job;
@@ -340,8 +341,8 @@ static const LayoutRow *layout_of(const Trial *t, Pass pass)
                                                       : job.layout;
 }
 
-/* An output at -O2 as at -O0: words by their fields. What neighbouring codes do not explain,
- * roundings must. */
+/* Compares an output at -O2 with -O0: words by their fields. Differences beyond adjacent codes
+ * must be explained by rounding. */
 static bool output_agrees(Trial *t, Spot *s, const LayoutRow *layout, int output)
 {
     const IrOutput *out = &s->program->ir[0]->outputs[output];
@@ -363,14 +364,15 @@ static bool output_agrees(Trial *t, Spot *s, const LayoutRow *layout, int output
     return true;
 }
 
-/* It is of vertices, or they stand there at -O2: what discards nothing is gone. */
+/* True for an output of vertices, or for a discard that is missing at -O2 because it never
+ * happens. */
 static bool is_other(const Program *p, int output)
 {
     return !ir_is_of_fragments(&p->ir[0]->outputs[output]) ||
            (output < p->ir[1]->output_count && !ir_is_of_fragments(&p->ir[1]->outputs[output]));
 }
 
-/* A pass of the whole material: finite, and at -O2 as at -O0. */
+/* Checks a pass of the whole material: finite, and equal at -O2 and -O0. */
 static bool try_pass(Trial *t, Pass pass)
 {
     Program p;

@@ -1,4 +1,4 @@
-/* Verdict of glslang on a program, and the values that it draws. */
+/* Validates a program by glslang, and draws its values. */
 #include "compiler/layout/layout.h"
 #include "generate.h"
 #include "spread.h"
@@ -9,11 +9,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* every 16th point is compared, all are looked at for NaN */
+/* every 16th point is compared; all are checked for NaN */
 enum { FEW = 8, MANY = 400, JUDGED_STEP = 16 };
-/* of a tree that is drawn: drivers inline the 27 calls of each */
+/* max filters of a drawn tree: drivers inline the 27 evaluations of each */
 enum { MAX_FILTERS = 1 };
-/* evaluations of nodes for the spreads of a slot; then it is let be */
+/* max node evaluations for the spreads of a slot, which is then skipped */
 static const double MAX_WORK = 2e7;
 
 typedef struct {
@@ -27,8 +27,8 @@ static const Variant variants[] = {{TARGET_glsl330, 0},
                                    {TARGET_essl300, 2}};
 enum { VARIANTS = sizeof variants / sizeof *variants };
 
-/* The layout that a G-buffer of half floats is drawn in: the options', or another where that one
- * has words, which no driver makes NaN of. */
+/* Layout for drawing to half floats: the options' layout, or another one if that has integer
+ * words, which cannot be NaN. */
 static const LayoutRow *half_layout(const Trial *t, Target target)
 {
     Job job;
@@ -71,12 +71,12 @@ typedef struct {
     MatcDocument *document;
     Slot slot;
     Arena arena;
-    const Ir *ir[2][2]; /* with the noise of glsl330 and of glsl110; as written and optimised */
+    const Ir *ir[2][2]; /* with the noise of glsl330 and of glsl110; unoptimized and optimized */
     ReferenceTexture textures[2][2][EVALUATE_TEXTURES];
     Oracle *oracles[2];
-    Evaluation (*exact)[FIELD_COUNT]; /* of either noise */
+    Evaluation (*exact)[FIELD_COUNT]; /* evaluations with either noise */
     double bound;
-    double work, each; /* done; of an evaluation */
+    double work, each; /* work done; work of one evaluation */
     float *rgba[4];
 } Drawing;
 
@@ -124,16 +124,16 @@ static bool drawing_open(Drawing *d)
     return true;
 }
 
-/* One component of a variant's drawing at a point: what it is, and what it should be. */
+/* One component of a variant's drawing at a point: the drawn and the expected value. */
 typedef struct {
-    int noise, optimize; /* the variant's */
+    int noise, optimize; /* noise and level of the variant */
     int point, component;
     double want, got;
 } DrawnComponent;
 
-/* How far a drawn number is from what rounding may make of the program as written and, of an
- * optimised one, of that: its mix rounds by the greater of its operands. By `count` evaluations of
- * each. */
+/* Distance of a drawn number from the spread of the program as written and, for an optimized
+ * program, from that program's spread: the optimized mix rounds relative to its greater operand.
+ * By `count` evaluations of each. */
 static double spread_of(Drawing *d, const DrawnComponent *drawn, int count)
 {
     double inputs[INPUT_COUNT][4], miss = INFINITY;
@@ -210,7 +210,7 @@ static bool compare(Drawing *d, const Variant *v)
     return true;
 }
 
-/* A compiled program, drawn into the first `targets` of rgba. */
+/* Draws a compiled program into the first `targets` of rgba. */
 static bool draw(Drawing *d, const Variant *v, bool half, int targets)
 {
     Trial *t = d->trial;
@@ -266,7 +266,7 @@ static bool draw_slot(Drawing *d)
     return fine;
 }
 
-/* Content of half-float targets after a G-buffer pass: no NaN and no infinity, whatever the
+/* Checks half-float targets after a G-buffer pass: no NaN and no infinity, whatever the
  * intermediate values are. */
 static bool draw_packed(Drawing *d)
 {

@@ -1,18 +1,19 @@
-/* The oracle's value of a slot; for exact derivatives, how well differences know it. */
+/* The oracle's value of a slot; for exact derivatives, also the accuracy of its finite
+ * differences. */
 #include "trial.h"
 #include <string.h>
 
-/* For exact derivatives: differences to either side that are so far apart are not compared;
- * greatest error of the others. */
+/* For exact derivatives: one-sided differences that disagree by more are not compared; greatest
+ * error of the others. */
 static const double slope_apart = 1e-3, slope_capacity = 1e-6;
 
-/* Spans of the differences for exact derivatives: behind the point and ahead of it; if they
- * disagree, nothing is known. Two that agree may still have a common error, where a large number
- * rounds both, or the height bends strongly within them: the others have other widths. */
+/* Spans of the finite differences for exact derivatives: before and after the point; if these
+ * disagree, the slope is unknown. Two that agree may share an error, from the rounding of a
+ * large number or strong curvature within them; the other spans have other widths. */
 enum { SPAN_BEHIND, SPAN_AHEAD, SPAN_OTHER, SPAN_NARROW, SPAN_COUNT };
 static const double spans[SPAN_COUNT][2] = {{-1, 0}, {0, 1}, {-0.37, 0.59}, {-0.05, 0.04}};
 
-/* Farther out they are wide beside what maps do. */
+/* At greater distances the spans are wide compared with the maps' features. */
 static const float far = 1000;
 
 static void judge_slope(TrialWanted *w, const SlotValues *sides, Slot slot, int component)
@@ -30,7 +31,7 @@ void trial_query_oracle(Trial *t, const Point *point, bool front, Slot slot, Tri
 {
     Surface surface;
     SlotValues sides[SPAN_COUNT];
-    /* of true displacement there are no others */
+    /* true displacement has no other slopes */
     const bool differs = t->bumps[slot] && (t->exact || oracle_displaced(t->material));
     memset(&w->capacity, 0, sizeof w->capacity);
     point_surface(point, front, &surface);

@@ -1,5 +1,6 @@
 #!/bin/sh
-# The test suites of JSON and YAML, from npm: run.sh PROGRAM BUILD_FOLDER. Run from the project's root. Status 77: skipped.
+# Runs the test suites of JSON and YAML, from npm: run.sh PROGRAM BUILD_FOLDER. Run from the
+# project's root. Status 77: skipped.
 set -u
 . tests/npm.sh
 npm_fetch tests/suites "$2/suites" check.mjs json.txt yaml.txt

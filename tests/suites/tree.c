@@ -1,6 +1,6 @@
-/* Reads files by their names, and prints a line of JSON for each: the faults, and the value with
- * everything that a Tree keeps of it, {"faults": ["duplicate_key"], "tree": {"object": [["a",
- * {"plain": "1"}], ["a", [{"text": "1"}]]]}}; refused: "tree": null. */
+/* Reads the named files, and prints a line of JSON for each: the faults, and the value with all
+ * that a Tree stores about it, {"faults": ["duplicate_key"], "tree": {"object": [["a", {"plain":
+ * "1"}], ["a", [{"text": "1"}]]]}}; a refused file has "tree": null. */
 #include "compiler/base/file.h"
 #include "compiler/base/json_write.h"
 #include "tests/read_text.h"

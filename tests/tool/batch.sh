@@ -1,6 +1,6 @@
 #!/bin/sh
-# Batches from outside: what shares a program, what a folder looks like afterwards, what the cache may and may not do.
-# batch.sh MATC. Run from the project's root.
+# Tests batches by matc's command line: shared programs, the content of the output folder, and the
+# use of the cache. batch.sh MATC. Run from the project's root.
 set -u
 matc=$1
 work=$(mktemp -d)

@@ -1,5 +1,5 @@
 #!/bin/sh
-# The command line of matc, from outside: command_line.sh MATC. Run from the project's root.
+# Tests the command line of matc: command_line.sh MATC. Run from the project's root.
 set -u
 matc=$1
 work=$(mktemp -d)

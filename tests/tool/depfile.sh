@@ -1,7 +1,9 @@
 #!/bin/sh
-# Depfiles as make and ninja read them: depfile.sh MATC. Run from the project's root. Documents and included files get every name of one
-# character, that character before, behind and between letters, and what means more together. matc either refuses the name, and writes
-# nothing; or make and ninja both make exactly what stands for the file again when it changes. Nothing else ever runs.
+# Depfiles as make and ninja read them: depfile.sh MATC. Run from the project's root. Documents and
+# included files get every name of one character, of the character before, after and between
+# letters, and of sequences with a special meaning. matc either refuses the name and writes nothing,
+# or both make and ninja rebuild exactly the outputs that depend on a changed file. No other command
+# is ever executed.
 set -u
 matc=$(realpath "$1")
 command -v make >/dev/null && command -v ninja >/dev/null || {

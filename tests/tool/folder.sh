@@ -1,6 +1,6 @@
 #!/bin/sh
-# What a batch removes from its folder: what an earlier one made, by its manifest, and what processes left that were ended.
-# folder.sh MATC. Run from the project's root.
+# What a batch removes from its output folder: outputs of an earlier batch, by its manifest, and
+# leftovers of killed processes. folder.sh MATC. Run from the project's root.
 set -u
 matc=$1
 work=$(mktemp -d)

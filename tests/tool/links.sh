@@ -1,6 +1,6 @@
 #!/bin/sh
-# Links, pipes and folders planted where matc and matview write: nothing outside changes, and what is written is what it would be
-# without them. links.sh MATC MATVIEW. Run from the project's root.
+# Links, pipes and folders planted where matc and matview write: files elsewhere stay unchanged, and
+# the output is the same as without them. links.sh MATC MATVIEW. Run from the project's root.
 set -u
 matc=$1
 matview=$2

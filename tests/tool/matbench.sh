@@ -1,5 +1,5 @@
 #!/bin/sh
-# The command line of matbench: matbench.sh MATBENCH. Run from the project's root.
+# Tests the command line of matbench: matbench.sh MATBENCH. Run from the project's root.
 set -u
 matbench=$1
 work=$(mktemp -d)

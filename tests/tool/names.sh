@@ -1,5 +1,6 @@
 #!/bin/sh
-# Names of files that mean something to JSON, terminals or programs that read what matc writes: names.sh MATC. Run from the project's root.
+# File names with special meaning in JSON, terminals or programs that read matc's output:
+# names.sh MATC. Run from the project's root.
 set -u
 matc=$(realpath "$1")
 root=$PWD

@@ -1,5 +1,5 @@
 #!/bin/sh
-# What options promise, by what they do: options.sh MATC. Run from the project's root.
+# Tests the documented effects of options: options.sh MATC. Run from the project's root.
 set -u
 matc=$1
 work=$(mktemp -d)

@@ -1,6 +1,7 @@
 #!/bin/sh
-# Documents of other people: root.sh MATC MATVIEW. Run from the project's root. With --root=DIR nothing outside DIR is read that a
-# document names, through whatever key, path or link; and with or without it no message quotes a file that is no document.
+# Untrusted documents: root.sh MATC MATVIEW. Run from the project's root. With --root=DIR no file
+# outside of DIR is read, by any key, path or link of a document; with and without the option no
+# message quotes a file that is not a document.
 set -u
 matc=$(realpath "$1")
 matview=$(realpath "$2")

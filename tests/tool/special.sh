@@ -1,6 +1,7 @@
 #!/bin/sh
-# What is no file where matc reads one: special.sh MATC. Run from the project's root. A pipe into which nobody writes, a folder, endless and
-# other devices are a fault at once; nothing waits, nothing is written. A document or a list on the command line can be a pipe.
+# Special files in place of regular ones: special.sh MATC. Run from the project's root. A pipe
+# without a writer, a folder, endless and other devices cause an error at once; matc neither blocks
+# nor writes. A document or list named on the command line may be a pipe.
 set -u
 matc=$1
 work=$(mktemp -d)

@@ -1,5 +1,5 @@
-/* Documents that change between the reading of a batch's materials and the writing of what they
- * share. */
+/* Documents that change after a batch has read its materials and before it writes their shared
+ * programs. */
 #include "tests/test.h"
 #include "compiler/tool/batch.h"
 #include "tests/value/batch_set.h"

@@ -1,6 +1,6 @@
-/* Programs out of units (compiler/tool/batch_group.c), from units made by hand: which materials
- * share a program, which numbers become members of its buffer, and which programs are written once
- * more. What a batch makes of that: test_manifest.c. */
+/* Grouping of units into shared programs (compiler/tool/batch_group.c), with units made by hand:
+ * which materials share a program, which numbers become members of its buffer, and which
+ * programs are compiled a second time. test_manifest.c tests the resulting batches. */
 #include "tests/test.h"
 #include "compiler/tool/batch_state.h"
 #include <stdio.h>
@@ -120,7 +120,7 @@ static void assert_members(const Made *made, int program, const int *members, in
         assert_int_equal(got[i], members[i]);
 }
 
-/* Which documents write programs once more, as "program" lists. */
+/* Checks which documents write programs a second time: "program" lists. */
 static void assert_again(const Made *made, int document, const int *again, int count)
 {
     assert_int_equal(made->documents[document].again_count, count);

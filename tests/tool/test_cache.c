@@ -1,4 +1,4 @@
-/* The GPU scene: what is served is what was put there, whatever happens to its files. */
+/* The cache: a get returns exactly what was put, whatever happens to the cache's files. */
 #include "tests/test.h"
 #include "tests/cache_folder.h"
 #include <errno.h>
@@ -106,7 +106,7 @@ static void an_entry_of_another_length_is_not_served(void **state)
     cache_close(cache);
 }
 
-/* An entry that is another entry's file, a folder, a link, a pipe, a huge file. */
+/* An entry's file is replaced by that of another entry, a folder, a link, a pipe, a huge file. */
 static void a_foreign_entry_is_not_served(void **state)
 {
     const Folder *folder = *state;
@@ -135,7 +135,7 @@ static void a_foreign_entry_is_not_served(void **state)
     assert_int_equal(statistic(folder, "failed"), 1);
 }
 
-/* In a process that is not the superuser's, to whom every folder is open. */
+/* Runs in a process without superuser rights, which would bypass permissions. */
 static bool in_child(bool (*does)(const Folder *folder), const Folder *folder)
 {
     int status;
@@ -186,7 +186,7 @@ static void a_read_only_folder_serves_what_it_has(void **state)
     assert_true(fine);
 }
 
-/* As on a full disk: writing ends after some bytes. */
+/* Simulates a full disk: writing fails after some bytes. */
 static bool use_full(const Folder *folder)
 {
     const char *why;
@@ -236,8 +236,7 @@ static void what_is_no_folder_is_refused(void **state)
     cache_close(NULL);
 }
 
-/* A checksum is no signature: whoever may write an entry can forge one, as here, by hashing what he
- * changed. */
+/* A checksum is no signature: a user with write access can forge an entry by rehashing, as here. */
 static void what_others_may_write_is_not_read(void **state)
 {
     const Folder *folder = *state;
@@ -270,7 +269,7 @@ static void what_others_may_write_is_not_read(void **state)
     assert_string_equal(why, "the folder belongs to another user, who could forge its entries");
 }
 
-/* Whatever the umask is, the folders that a cache makes are its user's alone. */
+/* With any umask, the folders that a cache creates are accessible only to the user. */
 static void what_is_made_can_be_opened_again(void **state)
 {
     const Folder *folder = *state;

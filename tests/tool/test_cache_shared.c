@@ -1,5 +1,5 @@
-/* The GPU scene of many runs at once, and its limit: nothing wrong is served, and what was not used
- * for longest goes. */
+/* The cache used by many runs at once, and its size limit: no wrong entry is returned, and the
+ * least recently used entries are evicted. */
 #include "tests/test.h"
 #include "tests/cache_folder.h"
 #include <fcntl.h>
@@ -20,7 +20,7 @@ static size_t blob_of(uint64_t n, char *bytes)
     return size;
 }
 
-/* Gets and puts in an order of its own; false if anything wrong was served. */
+/* Gets and puts in a random order; false if a wrong entry was returned. */
 static bool hammer(Cache *cache, unsigned seed, int rounds)
 {
     char wanted[8192];
@@ -158,7 +158,7 @@ static void the_limit_holds_while_a_run_goes_on(void **state)
     assert_int_equal(statistic(folder, "failed"), 1);
 }
 
-/* Only the GPU scene's own files are ever removed; its temporaries without a writer are. */
+/* Only the cache's own files are removed, including temporary files without a writer. */
 static void trimming_leaves_other_files_alone(void **state)
 {
     const Folder *folder = *state;

@@ -1,5 +1,5 @@
-/* Entries of the GPU scene whose size is wrong: each is a miss, counts as damaged, and is replaced.
- * And the border of what a cache reads and writes. */
+/* Cache entries of a wrong size: each is a miss, counts as damaged, and is replaced. Also the
+ * size limits for reading and writing an entry. */
 #include "tests/test.h"
 #include "tests/cache_folder.h"
 #include <fcntl.h>

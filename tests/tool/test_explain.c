@@ -1,6 +1,6 @@
-/* The example of every map and material that --explain shows: nothing is said of it, and its
- * picture is worth looking at: neither black nor flat. A small sphere is drawn, and judged in its
- * middle, where light alone makes little difference. */
+/* The example of every map and material that --explain shows: it compiles without messages, and
+ * its picture is neither black nor flat. A small sphere is drawn, and judged in its middle,
+ * where lighting varies little. */
 /* ctest: seconds=12 */
 #include "tests/test.h"
 #include "grammar/tables.h"

@@ -1,5 +1,5 @@
-/* Runs that are ended before each of their calls in turn, and within each write; then the next run
- * finds whatever was left. What is right is told by runs that nothing happens to. */
+/* Kills runs before each of their system calls in turn, and in the middle of each write; then
+ * the next run handles whatever was left. The expected result is that of an undisturbed run. */
 /* ctest: alone seconds=26 */
 #include "tests/test.h"
 #include "tests/kill/world.h"
@@ -12,8 +12,7 @@
 
 enum { OLD_SECONDS = 7200 };
 
-/* Temporary files of the GPU scene are as old as those that lost their writer, and it was looked
- * through long ago. */
+/* Makes the cache's temporary files as old as abandoned ones, and its last cleanup long past. */
 static bool temporary_found;
 static int age(const char *path, const struct stat *info, int kind, struct FTW *walk)
 {

@@ -32,7 +32,7 @@ static void check_failure(World *w, const Strike *at)
                 "the next run does not make it good");
 }
 
-/* Calls that a full disk lets fail. */
+/* Calls that fail on a full disk. */
 static const char *const grows[] = {"openat",    "write",  "mkdir",  "mkdirat", "linkat",
                                     "fdatasync", "writev", "pwrite", NULL};
 
@@ -61,8 +61,8 @@ static void a_run_of_which_a_call_fails_does_nothing_or_is_finished_by_the_next(
     assert_int_equal(w->wrong, 0);
 }
 
-/* A batch that is as it was looks, and no more: its folder may be another's, or on a disk that
- * cannot be written. */
+/* An unchanged batch only reads: its folder may belong to another user, or be on a read-only
+ * disk. */
 static void an_unchanged_batch_writes_nothing(void **state)
 {
     World *w = *state;

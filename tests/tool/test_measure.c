@@ -1,5 +1,5 @@
-/* Measuring: known errors are found, times are times, the front is one, choices keep what they
- * promise. */
+/* Autotune: known errors are found, times are plausible, the Pareto front has no dominated
+ * point, and choices keep their stated errors. */
 /* ctest: seconds=11 */
 #include "tests/test.h"
 #include "runtime/autotune/pareto.h"
@@ -53,7 +53,7 @@ static MatcOptions defaults(void)
     return options;
 }
 
-/* Nothing is left to be chosen, and all of it is fast. */
+/* All options fixed to fast choices. */
 static MatcOptions fastest(const char *layout)
 {
     MatcOptions options = defaults();

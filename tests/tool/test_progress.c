@@ -1,4 +1,5 @@
-/* The line of a terminal: written at most ten times a second, over itself, and gone at the end. */
+/* The progress line of a terminal: written at most ten times per second, over itself, and erased
+ * at the end. */
 #include "tests/test.h"
 #include "compiler/base/progress.h"
 

@@ -1,6 +1,5 @@
-/* Programs that materials share: with the numbers that the manifest has for a material, the shared
- * program draws the G-buffer that the material's own program draws, with its numbers in the
- * text. */
+/* Programs shared by materials: with the manifest's numbers for a material, the shared program
+ * draws the same G-buffer as the material's own program, which has the numbers in its text. */
 /* ctest: unsanitized seconds=38 */
 #include "tests/test.h"
 #include "compiler/tool/batch.h"
@@ -106,7 +105,7 @@ typedef struct {
     MatcLayout *custom;
     Gbuffer g; /* of the material's own program */
     long materials, shared;
-    /* words that were compared, whose codes are neighbours, whose codes are not */
+    /* words that were compared, whose codes are neighbors, whose codes are not */
     long words, steps, other;
     long numbers, far; /* slots that come back, that differ */
 } Run;
@@ -204,8 +203,8 @@ static int case_of(const Run *r, GLuint word)
     return (int)(word & ((1u << layout_case_bits(r->g.layout)) - 1));
 }
 
-/* A driver takes factors together that it sees, which moves a coordinate by an ULP or two: of one
- * up to 100 that is less than a code's width of any pattern of these sets; of one of 1e5 it is a
+/* The driver may combine literal factors, which moves a coordinate by an ULP or two: for a
+ * coordinate up to 100 less than one code of any pattern of these sets; for one of 1e5 a
  * hundredth of a cell. */
 static bool is_near(const Point *point)
 {

@@ -1,4 +1,4 @@
-/* Commits that a process left half done, and how the next process finishes them
+/* Commits that a process left half done, and their completion by the next process
  * (staging_commit.c). */
 #include "tests/test.h"
 #include "compiler/base/staging/staging.h"

@@ -1,4 +1,4 @@
-/* Watching: every way in which a file comes to differ is seen, once, by notices and by looking
+/* File watching: every kind of change to a file is noticed once, by notifications and by polling
  * alone. */
 #include "tests/test.h"
 #include "compiler/base/watch.h"
@@ -41,7 +41,7 @@ static void put(const char *path, const char *text)
     assert_int_equal(fclose(file), 0);
 }
 
-/* As editors save. */
+/* Replaces a file as editors save: by rename. */
 static void replace(const char *path, const char *text)
 {
     char beside[PATH_CAPACITY + 8];
@@ -185,7 +185,7 @@ static void *save_in_a_row(void *data)
     return NULL;
 }
 
-/* One report, or a few where the machine is too busy to save as fast as that; not ten. */
+/* One report, or a few if the machine is too busy to save that fast; not ten. */
 static void a_row_of_changes_is_one(void **state)
 {
     Fixture *f = *state;

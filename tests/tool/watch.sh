@@ -1,5 +1,5 @@
 #!/bin/sh
-# matc --watch from outside: watch.sh MATC
+# Tests matc --watch: watch.sh MATC
 set -u
 matc=$(realpath "$1")
 work=$(mktemp -d)

@@ -1,17 +1,17 @@
-/* How far drawn numbers are from what they should be. */
+/* Distance of drawn numbers from the expected ones. */
 #ifndef MATC_VALUE_APART_H
 #define MATC_VALUE_APART_H
 #include <math.h>
 #include <stdbool.h>
 
-/* Keeps the greatest. */
+/* Updates the greatest error. */
 static inline double note(double error, double *worst)
 {
     *worst = fmax(*worst, error);
     return error;
 }
 
-/* Greatest difference of three components; a NaN is infinitely far. */
+/* Greatest difference of three components; infinite for NaN. */
 static inline double apart(const float *drawn, const double *want)
 {
     double most = 0;
@@ -20,7 +20,7 @@ static inline double apart(const float *drawn, const double *want)
     return most;
 }
 
-/* In degrees, of unit vectors. */
+/* Angle between unit vectors in degrees. */
 static inline double angle(const float *drawn, const double *want)
 {
     double square = 0;
@@ -29,7 +29,7 @@ static inline double angle(const float *drawn, const double *want)
     return 2 * asin(fmin(sqrt(square) / 2, 1)) * 180 / 3.14159265358979323846;
 }
 
-/* A Checker of x may be either way. */
+/* True if a Checker of x may have either color. */
 static inline bool at_border(double x, double reach)
 {
     return fabs(2 * x - round(2 * x)) < 2 * reach;

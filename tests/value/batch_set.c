@@ -29,7 +29,7 @@ void batch_set_close(BatchSet *set)
     *set = (BatchSet){0};
 }
 
-/* A number with a fraction starts there, and is no part of a word. */
+/* True if a number with a fraction starts here, outside of a word. */
 static bool is_fraction(const char *text, const char *at)
 {
     size_t whole = strspn(at, "0123456789");
@@ -51,7 +51,7 @@ static bool is_color(const char *at)
     return *at == '#' && strspn(at + 1, "0123456789abcdefABCDEF") == 6;
 }
 
-/* The text with other numbers; from malloc. */
+/* Returns the text with other numbers; from malloc. */
 static char *vary(const char *text, int variant)
 {
     static const double factors[] = {1, 0.75, 0.9, 0.4};

@@ -89,7 +89,7 @@ static void walk_phong(const Node *phong, Slot slot, Subjects *subjects)
         walk_value(&phong->params[params[slot][1] - kind_table[KIND_Phong].first], subjects);
 }
 
-/* Through switches, all of whose materials count. */
+/* Walks through material switches; the subjects of all their materials count. */
 static void walk_material(const Node *material, Slot slot, Subjects *subjects)
 {
     subjects->has[SUBJECT_KINDS + (int)material->kind] = true;

@@ -1,10 +1,10 @@
-/* How far a shader may be from the oracle: tests/bounds.def, by the kinds, waves and slots that a
- * value is made of. */
+/* Allowed distance of a shader from the oracle: tests/bounds.def, by the kinds, waves and slots
+ * that contribute to a value. */
 #ifndef MATC_VALUE_BOUNDS_H
 #define MATC_VALUE_BOUNDS_H
 #include "compiler/graph/graph.h"
 
-/* A subject of the table is a kind, a wave, a slot or a word of words.def, or none of them. */
+/* A subject of the table is a kind, a wave, a slot, a keyword of words.def, or the default. */
 enum {
     SUBJECT_KINDS = 0,
     SUBJECT_WAVES = KIND_COUNT,
@@ -16,23 +16,24 @@ enum {
 
 typedef struct {
     double bound; /* in units of max(1, |oracle|), outside of the hull */
-    bool drivers; /* it is of the driver's own functions */
+    bool drivers; /* the bound is that of the driver's own functions */
     const char *why;
 } Bound;
 extern const Bound bound_table[SUBJECT_COUNT]; /* bound 0: no row */
 
 typedef struct {
     bool has[SUBJECT_COUNT];
-    bool displaced; /* the normal is that of a surface after it was displaced */
+    bool displaced; /* the normal is that of the displaced surface */
 } Subjects;
 
 const char *subject_name(int subject);
-/* Maps and functions that the value of a slot is made of. */
+/* Collects the maps and functions that contribute to a slot's value. */
 void subjects_of(const Node *material, Slot slot, Subjects *subjects);
-/* The subject whose bound counts with that choice of functions: the one with the greatest. */
+/* The subject with the greatest bound under that choice of functions. */
 int subject_governing(const Subjects *subjects, Choice trigonometry);
-/* Whether a displacement's slopes are among them. The oracle has differences for these. */
+/* True if the value depends on a displacement's slopes, which the oracle approximates by finite
+ * differences. */
 bool subjects_slopes(const Subjects *subjects, Choice derivatives);
-/* Whether lattice noise is among them. */
+/* True if the value depends on lattice noise. */
 bool subjects_noise(const Subjects *subjects);
 #endif

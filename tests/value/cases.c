@@ -65,7 +65,7 @@ const FunctionCase function_cases[] = {
 };
 const int case_count = sizeof function_cases / sizeof *function_cases;
 
-/* Numbers without a range are drawn from one of some size. */
+/* The arguments of a parameter; one without a range is drawn from numbers of moderate size. */
 static Argument argument_of(const ParamRow *row)
 {
     const double most = 16;
@@ -76,7 +76,7 @@ static Argument argument_of(const ParamRow *row)
 
 FunctionCase case_of_ranges(Kind kind)
 {
-    enum { FIRST_OWN = 4 }; /* behind those of VOLUME_PARAMS */
+    enum { FIRST_OWN = 4 }; /* number of parameters in VOLUME_PARAMS */
     const KindRow *row = &kind_table[kind];
     FunctionCase all = {FN_FIRST_MAP + (int)kind, 1e-5, UNIT_MIXED, 4, {POSITION(4, 1e4)}};
     for (int i = FIRST_OWN; i < row->count; i++)

@@ -1,5 +1,5 @@
-/* Arguments at which each library function is tested: tests/functions.def, and for volume maps the
- * POINTS lines of grammar/maps.def. */
+/* Arguments at which each library function is tested: tests/functions.def, and for volume maps
+ * the POINTS lines of grammar/maps.def. */
 #ifndef MATC_VALUE_CASES_H
 #define MATC_VALUE_CASES_H
 #include "tuple.h"
@@ -28,7 +28,7 @@ extern const FunctionCase function_cases[];
 extern const int case_count;
 /* Case of a volume map without a POINTS line: all of its parameters' ranges. */
 FunctionCase case_of_ranges(Kind kind);
-/* The beginning of a case's random numbers, by its function's name: what another row is or where it
- * stands changes nothing. */
+/* Seed of a case's random numbers, from its function's name, so that other rows do not influence
+ * it. */
 uint64_t case_random(const FunctionCase *row, int seed);
 #endif

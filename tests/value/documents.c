@@ -21,7 +21,7 @@ static void add_matches(DocumentList *list, const char *folder, const char *patt
         if (!list->paths)
             abort();
         for (size_t i = 0; i < found.gl_pathc; i++)
-            /* no documents */
+            /* these folders contain no documents */
             if (!strstr(found.gl_pathv[i], "/layouts/") && !strstr(found.gl_pathv[i], "/engine/"))
                 list->paths[list->count++] = strdup(found.gl_pathv[i]);
     }
@@ -136,6 +136,7 @@ void document_close(Document *d)
 
 void document_set_uniform(Document *d, int uniform, const double value[4])
 {
-    Uniform *u = (Uniform *)(uintptr_t)d->graph->uniforms[uniform]; /* made by us, in our arena */
+    /* const is cast away: the uniform was allocated in our arena */
+    Uniform *u = (Uniform *)(uintptr_t)d->graph->uniforms[uniform];
     memcpy(u->initial, value, sizeof u->initial);
 }

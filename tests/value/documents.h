@@ -1,5 +1,5 @@
-/* The example documents, read twice: through the library's surface for its shaders, and as a Graph
- * for the oracle. */
+/* The example documents, read twice: through the library's interface for its shaders, and as a
+ * Graph for the oracle. */
 #ifndef MATC_VALUE_DOCUMENTS_H
 #define MATC_VALUE_DOCUMENTS_H
 #include "compiler/graph/graph.h"
@@ -7,14 +7,14 @@
 #include "compiler/pipeline.h"
 
 typedef struct {
-    char **paths; /* sorted; relative to nothing but the program's folder */
+    char **paths; /* sorted; each begins with the folder */
     int count;
 } DocumentList;
 
 /* Every .yaml and .json below `folder`/examples. */
 DocumentList documents_list(const char *folder);
-/* These and tests/value's, which have what no example has: compact has no place for all of it, so
- * there are no goldens. */
+/* The examples, and the documents of tests/value, which cover features without an example; these
+ * have no goldens because compact cannot store all of their slots. */
 DocumentList documents_tried(const char *folder);
 /* Every .yaml in the folder itself. */
 DocumentList documents_in(const char *folder);
@@ -22,26 +22,25 @@ void documents_free(DocumentList *list);
 
 typedef struct {
     const char *path;
-    MatcOptions options; /* pictures are decoded */
+    MatcOptions options; /* with pictures decoded */
     MatcDocument *document;
-    Arena arena; /* of what follows */
+    Arena arena; /* owns the members below */
     Session session;
     Tree *tree;
     Graph *graph; /* material i is the document's material i */
 } Document;
 
-/* False: the document has faults; see document_fault. Close it in any case. */
+/* Returns false if the document has errors: see document_fault. Close it in any case. */
 bool document_open(Document *d, const char *path);
-/* Opens YAML of the test, which must live longer. */
+/* Opens YAML text, which must outlive the document. */
 bool document_open_text(Document *d, const char *text);
-/* Its only fault is that it has no material: others include it. */
+/* True if its only error is that it has no material, because other documents include it. */
 bool document_is_library(const Document *d);
 const char *document_fault(Document *d);
-/* Folders of the path left out. */
+/* File name of the document's path. */
 const char *document_name(const Document *d);
 void document_close(Document *d);
 
-/* Changes what a uniform of the graph is set to: all who ask for its value, draws and oracle, get
- * this one. */
+/* Changes a uniform's value in the graph, for both the drawing and the oracle. */
 void document_set_uniform(Document *d, int uniform, const double value[4]);
 #endif

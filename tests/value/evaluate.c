@@ -1,4 +1,4 @@
-/* Textures and inputs for ir_eval. */
+/* Provides textures and inputs for ir_eval. */
 #include "evaluate.h"
 #include "compiler/library/carpenter.h"
 #include <string.h>
@@ -54,7 +54,7 @@ void evaluate_inputs(const Point *point, bool front, double inputs[INPUT_COUNT][
 void evaluate_bends(const Point *point, double inputs[INPUT_COUNT][4])
 {
     static const Input texture[2] = {INPUT_UX, INPUT_UY}, normal[2] = {INPUT_NX, INPUT_NY};
-    /* to the right neighbour, to the upper one */
+    /* change to the right neighbor, to the upper one */
     static const double uv[2][2] = {{0.5, 0}, {0.125, -0.25}};
     static const Input tangents[2][2] = {{INPUT_DUX, INPUT_DUY}, {INPUT_DVX, INPUT_DVY}};
     double by[2][3], swings[2][2][3];

@@ -6,11 +6,11 @@
 
 enum { EVALUATE_TEXTURES = 64 };
 
-/* The textures of an IR, as the reference functions take them; false: there are more than
- * EVALUATE_TEXTURES. */
+/* Converts the textures of an IR to those of the reference functions; false if there are more
+ * than EVALUATE_TEXTURES. */
 bool evaluate_textures(Arena *arena, const Ir *ir, ReferenceTexture textures[EVALUATE_TEXTURES]);
 void evaluate_inputs(const Point *point, bool front, double inputs[INPUT_COUNT][4]);
-/* Change of a curved surface to the next pixels: texture coordinates and the normal, which has
- * point_bends. */
+/* Changes of inputs to the next pixels on a curved surface: texture coordinates, and the normal
+ * by point_bends. */
 void evaluate_bends(const Point *point, double inputs[INPUT_COUNT][4]);
 #endif

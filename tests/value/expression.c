@@ -1,4 +1,4 @@
-/* Recursive descent, and back. */
+/* Recursive descent parser of expressions, and their printer. */
 #include "expression.h"
 #include "compiler/ir/build.h"
 #include <ctype.h>
@@ -32,7 +32,7 @@ static bool accept(const char **at, char letter)
     return found;
 }
 
-/* "[1, 0, 0]" behind its bracket. */
+/* Reads "[1, 0, 0]" after its bracket. */
 static Ref read_vector(Ir *ir, const char **at)
 {
     double numbers[4];
@@ -139,7 +139,7 @@ static void print_const(Text *out, const Ir *ir, Ref ref)
                                                   : "");
 }
 
-/* An input, or one of its components that has a name. */
+/* Prints an input, or a component that has a name. */
 static bool print_leaf(Text *out, const Ir *ir, Ref ref)
 {
     const IrNode *node = ir_at(ir, ref);

@@ -1,4 +1,4 @@
-/* Rows out of JSON. */
+/* Reads rows from the reflection's JSON. */
 #include "facts.h"
 #include <cJSON.h>
 #include <stdio.h>
@@ -46,7 +46,7 @@ static Fact *take(Facts *facts, FactKind kind, const cJSON *row, const char *pla
     return fact;
 }
 
-/* A uniform of its own, or a member of the block where it has an offset. */
+/* Adds a uniform, or a member of the block if the row has an offset. */
 static void take_uniform(Facts *facts, const cJSON *row, const char *block)
 {
     bool member = cJSON_HasObjectItem(row, "offset");

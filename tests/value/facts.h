@@ -6,14 +6,14 @@
 #include <stdint.h>
 
 typedef enum {
-    FACT_input,  /* a varying that the fragment program reads; place: its location */
-    FACT_output, /* a colour; place: its location; type: "float" or "uint", whatever its components
-                  */
-    FACT_attribute, /* of the vertex program; place: its location */
+    FACT_input, /* a varying that the fragment program reads; place: its location */
+    /* a color output; place: its location; type: "float" or "uint" for any number of components */
+    FACT_output,
+    FACT_attribute, /* vertex attribute; place: its location */
     FACT_texture,   /* place: its binding */
-    FACT_block,     /* of uniforms; place: its binding; size: in bytes */
-    FACT_member,    /* of a block, as "Block.member"; place: its offset in bytes */
-    FACT_uniform,   /* in no block */
+    FACT_block,     /* uniform block; place: its binding; size: in bytes */
+    FACT_member,    /* member of a block, as "Block.member"; place: its offset in bytes */
+    FACT_uniform,   /* uniform outside of blocks */
     FACT_system,    /* a built-in variable, or "discard" */
     FACT_KINDS
 } FactKind;
@@ -23,8 +23,8 @@ enum { FACT_TEXT = 128, FACT_CAPACITY = 512, NO_PLACE = -1 };
 
 typedef struct {
     FactKind kind;
-    char name[FACT_TEXT], type[FACT_TEXT]; /* no type: none is told */
-    int place, size;                       /* NO_PLACE: it has none, or none is told */
+    char name[FACT_TEXT], type[FACT_TEXT]; /* an empty type is unknown */
+    int place, size;                       /* NO_PLACE: none, or unknown */
 } Fact;
 
 typedef struct {
@@ -32,16 +32,17 @@ typedef struct {
     int count;
 } Facts;
 
-/* NULL: there is none of that kind and name. */
+/* Returns NULL if no fact has that kind and name. */
 const Fact *facts_find(const Facts *facts, FactKind kind, const char *name);
 
-/* Reads the JSON of --emit=reflect: facts of the fragment program and of the vertex program. False:
- * it is no reflection. */
+/* Reads the JSON of --emit=reflect: facts of the fragment program and of the vertex program.
+ * Returns false for other JSON. */
 bool facts_of_reflection(const char *json, Facts *fragment, Facts *vertex);
-/* Reads a module with one entry point: its variables and decorations. False: it is no module. */
+/* Reads a module with one entry point: its variables and decorations. Returns false if the words
+ * are no module. */
 bool facts_of_spirv(const uint32_t *words, size_t bytes, Facts *facts);
-/* Facts of a linked program, fragment and vertex together, as far as the driver keeps them. `load`
- * finds a function of GL by its name; outputs are queried by the names fragment0 and so on. */
+/* Facts of a linked program, fragment and vertex together, as far as the driver keeps them.
+ * `load` finds a GL function by name; outputs are queried by the names fragment0 and so on. */
 typedef void (*FactsProc)(void);
 void facts_of_program(GlContext *gl, GLuint program,
                       FactsProc (*load)(void *state, const char *name), Facts *facts);

@@ -1,10 +1,10 @@
-/* Rows that the driver answers. */
+/* Reads rows from OpenGL's queries of a linked program. */
 #include "facts.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Functions that the GL layer does not list. */
+/* GL functions that the GL layer does not load. */
 typedef struct {
     void (*active_attribute)(GLuint, GLuint, GLsizei, GLsizei *, GLint *, GLenum *, GLchar *);
     GLint (*attribute_location)(GLuint, const GLchar *);

@@ -1,6 +1,6 @@
-/* Rows out of SPIR-V, by its specification: one sweep over the instructions notes what is said of
- * each id; then the variables are looked at. An instruction's first word has its length in words in
- * the upper half, its opcode in the lower. */
+/* Reads rows from SPIR-V, by its specification: one sweep over the instructions notes the
+ * decorations of each id; then the variables are inspected. An instruction's first word has its
+ * length in words in the upper half, its opcode in the lower. */
 #include "grammar/layout_tables.h"
 #include "facts.h"
 #include <stdio.h>
@@ -30,8 +30,8 @@ enum { CLASS_CONSTANT, CLASS_INPUT, CLASS_UNIFORM, CLASS_OUTPUT };
 typedef struct {
     const char *name, *members[MEMBERS];
     int offsets[MEMBERS];
-    int number[OFFSET + 1];     /* by decoration; NO_PLACE: it has none */
-    const uint32_t *definition; /* the instruction that makes the type or variable */
+    int number[OFFSET + 1];     /* values by decoration; NO_PLACE: none */
+    const uint32_t *definition; /* the instruction that defines the type or variable */
 } Id;
 
 typedef struct {
@@ -45,7 +45,7 @@ static int length(const uint32_t *at) { return (int)(at[0] >> 16); }
 
 static void note(Module *m, const uint32_t *at)
 {
-    if (at[1] >= m->words[BOUND]) /* no id */
+    if (at[1] >= m->words[BOUND]) /* not an id */
         return;
     Id *id = &m->ids[at[1]];
     switch (opcode(at)) {
@@ -78,7 +78,7 @@ static int columns_of(const Module *m, uint32_t type)
     return opcode(at) == OP_TYPE_VECTOR || opcode(at) == OP_TYPE_MATRIX ? (int)at[3] : 1;
 }
 
-/* As GLSL spells it. */
+/* Writes a type's GLSL name. */
 static void spell(const Module *m, uint32_t type, char text[FACT_TEXT])
 {
     const uint32_t *at = m->ids[type].definition,
@@ -118,7 +118,8 @@ static Fact *add(Module *m, FactKind kind, const char *name, int place)
     return fact;
 }
 
-/* std140: a matrix is columns of 16 bytes each, and a block ends at 16 bytes. */
+/* End of a type by std140: a matrix is columns of 16 bytes each, and a block's size is a
+ * multiple of 16 bytes. */
 static int end_of(const Module *m, uint32_t type, int offset)
 {
     bool matrix = opcode(m->ids[type].definition) == OP_TYPE_MATRIX;
@@ -149,7 +150,7 @@ static const char *built_in_name(int number)
                           : "?";
 }
 
-/* False: a resource is in another descriptor set than 0. */
+/* Returns false for a resource in a descriptor set other than 0. */
 static bool add_variable(Module *m, const Id *variable)
 {
     uint32_t type = m->ids[variable->definition[1]].definition[3];

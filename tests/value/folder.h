@@ -1,4 +1,4 @@
-/* Folders of tests and benchmarks: removed, copied. */
+/* Removes and copies folders of tests and benchmarks. */
 #ifndef TESTS_VALUE_FOLDER_H
 #define TESTS_VALUE_FOLDER_H
 #include "tests/value/read_whole.h"
@@ -15,14 +15,13 @@ static inline int folder_remove_one(const char *path, const struct stat *info, i
     return remove(path);
 }
 
-/* With all that is in it; links are not followed. */
+/* Removes a folder with its content; links are not followed. */
 static inline void folder_remove(const char *path)
 {
     nftw(path, folder_remove_one, FOLDER_HANDLES, FTW_DEPTH | FTW_PHYS);
 }
 
-/* Where nftw's files are copied to, and how much of their paths is the folder that they come
- * from. */
+/* Target folder of nftw's callback, and the length of the source folder's path. */
 static struct {
     const char *to;
     size_t skip;
@@ -44,7 +43,7 @@ static inline int folder_copy_one(const char *path, const struct stat *info, int
     return file && !fclose(file) && written ? 0 : -1;
 }
 
-/* Its folders and files, where nothing is yet. */
+/* Copies a folder's content to a path that does not exist. */
 static inline bool folder_copy(const char *from, const char *to)
 {
     folder_copied.to = to;

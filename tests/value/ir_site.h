@@ -1,4 +1,4 @@
-/* An IR of its own for a test, with its memory. */
+/* An IR for a test, with its own memory. */
 #ifndef MATC_VALUE_IR_SITE_H
 #define MATC_VALUE_IR_SITE_H
 #include "compiler/ir/ir.h"

@@ -1,10 +1,10 @@
-/* Along the unit vectors of tangents and normal. */
+/* Displaces along the unit tangents and normal. */
 #include "tests/value/move.h"
 #include "tests/value/documents.h"
 #include <math.h>
 #include <string.h>
 
-/* A volume's point is its highest. */
+/* Displaces a point; for a volume, to its highest point. */
 static void move(const Surface *surface, bool volume, const OracleDisplacement *d,
                  double position[3])
 {

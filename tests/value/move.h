@@ -1,4 +1,4 @@
-/* Where the oracle has points of a surface once it is displaced. */
+/* The oracle's positions of displaced surface points. */
 #ifndef MATC_VALUE_MOVE_H
 #define MATC_VALUE_MOVE_H
 #include "compiler/oracle/oracle.h"
@@ -8,8 +8,8 @@ typedef struct {
     int count;
 } MovePoints;
 
-/* By a material of a document. False: it has faults. */
+/* Displaces points by a document's material. Returns false if the document has errors. */
 bool move_points(const char *path, int material, const MovePoints *points, double (*position)[3]);
-/* The normals that they are shaded with there, of any length. */
+/* The shading normals of the displaced points, unnormalized. */
 bool move_normals(const char *path, int material, const MovePoints *points, double (*normal)[3]);
 #endif

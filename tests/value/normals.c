@@ -38,7 +38,7 @@ const NormalRow normal_table[] = {
 };
 const int normal_rows = sizeof normal_table / sizeof *normal_table;
 
-/* A generator of 64 bits, its state mixed by a multiplication and shifts: the same directions in
+/* A 64-bit generator whose state is mixed by a multiplication and shifts: the same directions in
  * every run. */
 static double random_number(uint64_t *state)
 {
@@ -125,7 +125,7 @@ NormalAngles normals_measure(const NormalRow *row, int count)
     return a;
 }
 
-/* Half a unit of the last digit that a number of the table is printed with. */
+/* Half a unit of the last printed digit of a table's number. */
 static double half_unit(double printed)
 {
     char text[32];

@@ -1,5 +1,5 @@
-/* Encodings of unit normals beside the figures of numerics.md 1.1: how far a normal is from itself
- * after being stored. For the benchmark, which prints them, and the test, which holds them to the
+/* Errors of encodings of unit normals, next to the figures of numerics.md 1.1: the angle between
+ * a normal and its stored value. The benchmark prints them, and the test compares them with the
  * figures. */
 #ifndef MATC_TESTS_NORMALS_H
 #define MATC_TESTS_NORMALS_H
@@ -14,17 +14,17 @@ typedef enum {
     STORE_halves,    /* octahedron in two half floats */
     STORE_spheremap, /* 2^bits levels */
     STORE_spheremap_halves,
-    STORE_xyz, /* each component 2^bits levels, normalised when read */
+    STORE_xyz, /* each component 2^bits levels, normalized when read */
     STORE_xyz_halves
 } NormalStore;
 
-/* With what numerics.md 1.1 has for it, degrees. */
+/* An encoding, with its figures of numerics.md 1.1 in degrees. */
 typedef struct {
     const char *name;
     NormalStore store;
     int bits;
-    bool hemisphere;           /* directions of z >= 0 alone */
-    double mean, rms, maximum; /* 0: the table has none */
+    bool hemisphere;           /* only directions with z >= 0 */
+    double mean, rms, maximum; /* 0: not in the table */
 } NormalRow;
 
 /* Angles in degrees. */
@@ -35,12 +35,12 @@ typedef struct {
 extern const NormalRow normal_table[];
 extern const int normal_rows;
 
-/* Over so many random directions, the same ones in every run, in double precision. */
+/* Measures over `directions` random directions, the same in every run, in double precision. */
 NormalAngles normals_measure(const NormalRow *row, int directions);
-/* By how much of a figure a measured number misses it, beyond what the figure's digits leave open;
- * 0 where there is none. */
+/* Excess of the difference between a measured number and a figure over the figure's print
+ * precision; 0 without a figure. */
 double normals_off(double measured, double figure);
-/* The direction that looks away is among them, where a spheremap is singular: its greatest angle is
- * chance. */
+/* True if the directions include -z, where a spheremap is singular, so that its greatest angle
+ * depends on chance. */
 bool normals_are_singular(const NormalRow *row);
 #endif

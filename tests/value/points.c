@@ -1,4 +1,4 @@
-/* Points and hulls. */
+/* Points, and hulls of the oracle's values around them. */
 #include "points.h"
 #include <stdio.h>
 #include <string.h>
@@ -8,8 +8,7 @@ const Reach reach_float = {4. / (1 << 23), 4. / (1 << 23)};
 const Reach reach_steep = {12. / (1 << 23), 12. / (1 << 23)};
 const Reach reach_double = {1e-13, 1e-13};
 
-/* A sequence of numbers in [0, 1) for each dimension, evenly spread: multiples of an irrational
- * number. */
+/* A low-discrepancy sequence in [0, 1) for each dimension: multiples of an irrational number. */
 typedef struct {
     int index;
 } Spread;
@@ -42,7 +41,8 @@ enum {
     DIMENSION_DV = 13
 };
 
-/* A point in [-size, size] with a normal, tangents at any angle to it, of any length. */
+/* A point in [-size, size] with a normal, and tangents at any angle to the normal, of any
+ * length. */
 static Point random_point(int index, double size)
 {
     static const float lengths[] = {1, 1, 1, 0.25f, 7};
@@ -65,7 +65,7 @@ static Point random_point(int index, double size)
     return p;
 }
 
-/* All coordinates of one axis: u, x and px, or v, y and py, or z and pz. */
+/* Sets all coordinates of one axis: u, x and px, or v, y and py, or z and pz. */
 static void set_axis(Point *p, int axis, float value)
 {
     if (axis < 2)
@@ -81,7 +81,7 @@ static void set_all(Point *p, float value)
 
 typedef struct {
     Point *at;
-    int count, first; /* in the sequence */
+    int count, first; /* number of points; index in the sequence */
 } Points;
 
 static Point *add(Points *points, double size)
@@ -92,7 +92,7 @@ static Point *add(Points *points, double size)
     return &points->at[points->count++];
 }
 
-/* A border and the floats next to it. */
+/* A border value or an adjacent float. */
 static float beside(float border, int side)
 {
     return side < 0   ? nextafterf(border, -INFINITY)
@@ -147,7 +147,7 @@ void points_make_others(Point points[POINT_COUNT], int seed)
         add(&made, (double[]){0.1, 10, 40}[i % 3]);
     while (made.count < POINT_COUNT)
         add(&made, 2);
-    /* one normal in eye and world: eyeFromWorld is the identity */
+    /* the normal is equal in eye and world space: eyeFromWorld is the identity */
     for (int i = 0; i < POINT_COUNT; i++)
         memcpy(points[i].input[INPUT_eyeN], points[i].input[INPUT_N],
                sizeof points[i].input[INPUT_N]);
@@ -200,7 +200,8 @@ static void surface_of(const PointSet *points, int i, Surface *surface)
 
 enum { AXES = 8, FRAME_COMPONENTS = 3 * COMPONENTS_OF_GROUP, CORNERS = 16, MANY_CORNERS = 96 };
 
-/* Rows of a Hadamard matrix: any two of the eight axes meet in all four combinations of signs. */
+/* Signs of a corner, from rows of a Hadamard matrix: any two of the eight axes occur in all four
+ * combinations of signs. */
 static double corner_sign(int corner, int axis)
 {
     return __builtin_parity((unsigned)(corner & (axis + 1))) ? -1 : 1;
@@ -211,8 +212,8 @@ static void shift(double *number, double part, const Reach *reach, double least)
     *number += part * fmax(reach->relative * fabs(*number), least);
 }
 
-/* Coordinates to the corners of boxes whose sizes no period of a pattern divides; normal and
- * tangents by their rounding alone: a zero vector stays one. */
+/* Moves coordinates to the corners of boxes whose sizes are incommensurable with patterns'
+ * periods; normal and tangents move by rounding errors only: a zero vector stays zero. */
 static void move(Surface *surface, int corner, const Reach *reach)
 {
     static const int axes[AXES] = {
@@ -227,7 +228,8 @@ static void move(Surface *surface, int corner, const Reach *reach)
         shift(&surface->root[channel_id(GROUP_N, i)], part * corner_sign(corner, i + 2), reach, 0);
 }
 
-/* Where neighbouring floats lie far apart, a pattern may do anything between them. */
+/* Number of corners: more where adjacent floats are so far apart that a pattern may vary between
+ * them. */
 static int corner_count(const Surface *surface)
 {
     const double far = 1000;
@@ -248,7 +250,7 @@ static void widen(Hull *hull, const SlotValues *values)
     }
 }
 
-/* Numbers too small for a normalised float may be taken for 0. */
+/* Flushes denormal numbers to 0, as drivers may. */
 static void flush(Surface *surface)
 {
     for (int i = 0; i < CHANNEL_ID_COUNT; i++)
@@ -263,7 +265,7 @@ static void meet(Oracle *oracle, const Node *material, const Surface *surface, H
     widen(hull, &values);
 }
 
-/* At a crease either side's slope is right. */
+/* At a crease the slopes of both sides are correct: adds both to the hull. */
 static void meet_sides(Oracle *oracle, const Node *material, const Surface *surface, Hull *hull)
 {
     oracle_slope_span(oracle, -1, 0);

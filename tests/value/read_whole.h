@@ -1,11 +1,12 @@
-/* A file as it is, for tests and benchmarks. */
+/* Reads a whole file unchanged, for tests and benchmarks. */
 #ifndef MATC_VALUE_READ_WHOLE_H
 #define MATC_VALUE_READ_WHOLE_H
 #include <stdio.h>
 #include <stdlib.h>
 #include <sys/stat.h>
 
-/* Its bytes, from malloc, and a zero behind them; NULL and no size: it cannot be read. */
+/* Returns the file's bytes with a zero appended, from malloc; NULL and no size if it cannot be
+ * read. */
 static inline char *read_whole(const char *path, size_t *size)
 {
     struct stat info;

@@ -2,9 +2,9 @@
 #include "compiler/layout/layout.h"
 #include "tests/stress/spread.h"
 
-enum { FEW = 16, MANY = 400 }; /* evaluations: many before anything is called a fault */
+enum { FEW = 16, MANY = 400 }; /* numbers of evaluations; MANY before a fault is reported */
 
-/* The program of a slot, and what it samples. */
+/* The program of a slot, and its textures. */
 typedef struct {
     Arena arena;
     const Ir *ir;
@@ -23,7 +23,7 @@ static void rounded_open(Rounded *r, Document *document, int material, const Mat
         r->ir = NULL;
 }
 
-/* Error of one form of the program. */
+/* Error of one version of the program. */
 static double miss_of(const Rounded *r, const DrawnNumber *drawn, double bound)
 {
     const ReferenceContext context = {r->ir->noise, r->textures};

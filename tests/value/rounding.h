@@ -1,13 +1,13 @@
-/* Effect of rounding on a slot's value: its program as IR, each of whose operations has a random
- * error up to its bound. This gives a bound for a point where no bound of a map can hold: the slope
- * of a picture amplifies the rounding of its coordinate as often as the picture is repeated there.
- * */
+/* Effect of rounding on a slot's value: its program is evaluated as IR with a random error, up
+ * to its bound, in each operation. This gives a tolerance at points where no map's fixed bound
+ * can hold: the slope of a picture amplifies the rounding of its coordinate by the number of
+ * repetitions at the point. */
 #ifndef MATC_VALUE_ROUNDING_H
 #define MATC_VALUE_ROUNDING_H
 #include "tests/value/documents.h"
 #include "tests/value/points.h"
 
-/* A drawn number, and what it should be. */
+/* A drawn number, and its expected value. */
 typedef struct {
     Slot slot;
     int component;
@@ -17,17 +17,17 @@ typedef struct {
     double number;
 } DrawnNumber;
 
-/* Error that rounding may explain, in units of max(1, |value|) outside of the hull, and how many
- * numbers of a draw may have it. A program whose every operation is right may still lose its
- * result: a step beside a large coordinate, a difference of large numbers. That is a fault, with a
- * larger error, or nearly everywhere. Over the seeds 0 ... 4 of test_value the maximum is 7.4e-5,
- * and 8 numbers of 1920. */
+/* Greatest error that rounding may explain, in units of max(1, |value|) outside of the hull, and
+ * the number of values of a draw that may have it. A program of correct operations may still
+ * lose its result: a step added to a large coordinate, a difference of large numbers. That is a
+ * fault, with a larger error, or nearly everywhere. Over the seeds 0 ... 4 of test_value the
+ * maximum is 7.4e-5, and 8 numbers of 1920. */
 #define ROUNDING_MAX 1.5e-4
 enum { ROUNDING_NUMBERS = 16 };
-/* How far the number lies outside of what rounding makes of the program that the options choose, in
- * units of max(1, |value|). No excuse have a number ROUNDING_MAX outside of the hull, and a
- * program that has another value than the oracle without any rounding, by more than `bound` outside
- * of the hull: INFINITY. */
+/* Distance of the number from the range that rounding gives for the program chosen by the
+ * options, in units of max(1, |value|). INFINITY for a number ROUNDING_MAX or more outside of
+ * the hull, and for a program whose value without rounding differs from the oracle by more than
+ * `bound` outside of the hull. */
 double rounding_miss(Document *document, int material, const MatcOptions *options,
                      const DrawnNumber *drawn, double bound);
 #endif

@@ -1,7 +1,7 @@
-/* A share of many like cases: one of `shares`, if TESTS_SHARE in the environment is a number, which
- * says where to begin. ./setup test under CI gives the number of the commit, so that as many
- * commits take all; without it all are taken. Of 3 shares from the first on, the cases 2, 5 and 8
- * are taken. */
+/* Takes a share of many similar cases: one of `shares`, if TESTS_SHARE in the environment is a
+ * number, which says where to begin. ./setup test under CI sets the commit's number, so that
+ * `shares` successive commits cover all cases; without the variable all cases are taken. With 3
+ * shares and TESTS_SHARE=1 the cases 2, 5 and 8 are taken. */
 #ifndef MATC_TEST_SHARE_H
 #define MATC_TEST_SHARE_H
 #include <stdbool.h>

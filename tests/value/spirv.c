@@ -36,8 +36,8 @@ typedef struct {
     size_t count;
 } Words;
 
-/* The first instruction from `at` on that has this opcode and, as its operand `place`, this id; the
- * words' end. */
+/* The first instruction from `at` on that has this opcode and this id as its operand number
+ * `place`; else the end of the words. */
 static size_t find(const Words *w, size_t at, uint32_t op, size_t place, uint32_t id)
 {
     while (at < w->count &&
@@ -64,7 +64,7 @@ static int offset_of(const Words *w, uint32_t id, uint32_t member)
     return -1;
 }
 
-/* The instruction that makes an id of a type. */
+/* The instruction that defines a type's id. */
 static size_t type_at(const Words *w, uint32_t id)
 {
     size_t at = HEAD;

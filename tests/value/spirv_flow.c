@@ -1,4 +1,4 @@
-/* One walk over each function's blocks, which SPIR-V keeps in the order of structured control
+/* One walk over each function's blocks, which SPIR-V stores in the order of structured control
  * flow: header, construct, merge block. */
 #include "tests/value/spirv_flow.h"
 #include <glslang/Include/glslang_c_interface.h>
@@ -15,7 +15,8 @@ enum {
     OP_FUNCTION = 54,
     OP_CALL = 57,
     OP_SAMPLE_FIRST = 87, /* OpImageSampleImplicitLod */
-    OP_SAMPLE_LAST = 94,  /* of these every second one has an explicit level: 88, 90, 92, 94 */
+    /* only every second one is implicit: 88, 90, 92, 94 have an explicit level */
+    OP_SAMPLE_LAST = 94,
     OP_QUERY_LOD = 105,
     OP_DERIVATIVE_FIRST = 207, /* OpDPdx */
     OP_DERIVATIVE_LAST = 215,  /* OpFwidthCoarse */
@@ -35,9 +36,9 @@ extern const glslang_resource_t *glslang_default_resource(void);
 typedef struct {
     uint32_t id;
     size_t from, to;  /* words of its body */
-    int conditional;  /* derivatives that are, within it and what it calls */
-    int derivatives;  /* all of them */
-    bool kills, done; /* it may discard */
+    int conditional;  /* derivatives in non-uniform control flow, callees included */
+    int derivatives;  /* all derivatives */
+    bool kills, done; /* may discard */
 } Function;
 
 typedef struct {
@@ -66,11 +67,11 @@ static bool find_functions(Module *m)
     return true;
 }
 
-/* The way through a function's blocks. */
+/* State of the walk through a function's blocks. */
 typedef struct {
-    uint32_t merges[MAX_NESTED]; /* of the constructs around */
+    uint32_t merges[MAX_NESTED]; /* merge blocks of the enclosing constructs */
     int depth;
-    bool ended; /* some invocations may have */
+    bool ended; /* some invocations may have ended */
 } Path;
 
 static void walk(Module *m, Function *f);
@@ -120,7 +121,7 @@ static void walk(Module *m, Function *f)
         step(m, f, &path, &m->words[at]);
 }
 
-/* The function that main is: nothing calls it, and glslang writes it first. */
+/* Counts in main, the function that no other calls, which glslang writes first. */
 int spirv_conditional_derivatives(const char *words, size_t size, int *derivatives)
 {
     Module *m = calloc(1, sizeof *m);

@@ -1,4 +1,4 @@
-/* Implicit derivatives in the control flow of a SPIR-V module: read from the words, by the
+/* Finds implicit derivatives in the control flow of a SPIR-V module: read from the words, by the
  * specification alone. */
 #ifndef MATC_VALUE_SPIRV_FLOW_H
 #define MATC_VALUE_SPIRV_FLOW_H
@@ -14,7 +14,7 @@
  *
  * -1: these are no words of a module. *derivatives gets how many there are in all. */
 int spirv_conditional_derivatives(const char *words, size_t size, int *derivatives);
-/* Implicit derivatives in the text of a fragment program, in any version of GLSL, through glslang;
- * -1: it refuses the text, and prints why on standard error. */
+/* Counts implicit derivatives in the text of a fragment program, in any version of GLSL, by
+ * glslang; returns -1 and prints the reason on standard error if glslang refuses the text. */
 int glsl_conditional_derivatives(const char *text, int *derivatives);
 #endif

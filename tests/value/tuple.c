@@ -1,10 +1,15 @@
-/* Random numbers in ranges, and the ones beside which functions break. */
+/* Random numbers in ranges, and the special values at which functions tend to break. */
 #include "tuple.h"
 #include "compiler/library/java_random.h"
 #include "compiler/library/sky.h"
 #include <string.h>
 
-enum { HOSTILE = 4 /* one number in so many */, BORDERS = 8, AFFINE_VECTORS = 13, SKY_ROWS = 7 };
+enum {
+    HOSTILE = 4 /* one number in HOSTILE, ... */,
+    BORDERS = 8,
+    AFFINE_VECTORS = 13,
+    SKY_ROWS = 7
+};
 
 static double uniform(uint64_t *state, double low, double high)
 {
@@ -18,14 +23,14 @@ static unsigned pick(uint64_t *state, unsigned count)
     return java_random_bits(state, 16) % count;
 }
 
-/* The number, or one of its two neighbours. */
+/* The number, or one of its two adjacent floats. */
 static float beside(uint64_t *state, float v)
 {
     unsigned which = pick(state, 3);
     return which == 0 ? v : nextafterf(v, which == 1 ? 1e30f : -1e30f);
 }
 
-/* Wholes, halves and quarters with their neighbours. */
+/* Integers, halves and quarters, and their adjacent floats. */
 static float border(uint64_t *state)
 {
     float v = (float)((int)pick(state, 2 * BORDERS * 4 + 1) - BORDERS * 4) / 4;
@@ -91,7 +96,7 @@ static float number(const Argument *a, uint64_t *state)
     }
 }
 
-/* A direction; an axis, a diagonal or one beside them. */
+/* A direction: random, an axis, a diagonal, or close to one of these. */
 static void unit(uint64_t *state, float v[3])
 {
     double length = 0;
@@ -117,7 +122,7 @@ static double upper_bits(double x)
     return ldexp(trunc(ldexp(mantissa, 12)), exponent - 12);
 }
 
-/* root, then the columns of a matrix and an offset as three floats each. */
+/* The base, then the columns of a matrix and an offset as three floats each. */
 static void affine(uint64_t *state, Tuple tuple)
 {
     for (int i = 0; i < 3; i++) {
@@ -132,7 +137,7 @@ static void affine(uint64_t *state, Tuple tuple)
     }
 }
 
-/* A direction, the sun, then the coefficients of a sky. */
+/* A view direction, the sun's, then the coefficients of a sky. */
 static void sky(uint64_t *state, Tuple tuple)
 {
     double rows[SKY_ROWS][3], sun[3];
@@ -187,7 +192,8 @@ static double reach_of(Form form, double v)
     case FORM_position:
     case FORM_range:
         return step * fmax(1, fabs(v));
-    case FORM_unit: /* a sum or quotient of its components rounds as the greatest does */
+    /* rounding of a sum or quotient of components is relative to the greatest component */
+    case FORM_unit:
         return step;
     case FORM_width:
     case FORM_wide:

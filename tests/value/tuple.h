@@ -1,4 +1,4 @@
-/* Tuples of arguments for a library function: what each argument may be, ordinary values and
+/* Tuples of arguments for a library function: the range of each argument, ordinary values and
  * hostile ones. */
 #ifndef MATC_VALUE_TUPLE_H
 #define MATC_VALUE_TUPLE_H
@@ -21,17 +21,17 @@ typedef enum {
 
 typedef struct {
     Form form;
-    double low, high; /* place: size, far; texture: its number */
+    double low, high; /* of a position: size, far; of a texture: its number */
 } Argument;
 
-/* The components of an argument, by its letter. */
+/* Number of components of an argument, by its letter. */
 int argument_components(char letter);
-/* Fills a tuple; `state` is that of the random numbers. */
+/* Fills a tuple with random numbers from `state`. */
 void tuple_draw(const Argument *arguments, const char *letters, uint64_t *state, Tuple tuple);
-/* One after the other, as a reference wants them. */
+/* Concatenates the arguments' components, as a reference expects them. */
 void tuple_flatten(Tuple tuple, const char *letters, double *args);
-/* Moves every number of a flat tuple that may be rounded by up to `reach` ULP, a place's and a
- * range's ULP of 1 at least, a direction's those of 1. */
+/* Moves every number of a flat tuple that may be rounded by up to `reach` ULP: positions and
+ * ranges by ULP of at least 1, directions by ULP of 1. */
 void tuple_move(double *args, const Argument *arguments, const char *letters, double reach,
                 uint64_t *state);
 #endif

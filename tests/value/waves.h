@@ -1,5 +1,5 @@
-/* Waves as semantics.md 2.4 has them, and their integrals, which means over boxes are made of:
- * W(v), and the integral from 0 to v. */
+/* Waves of semantics.md 2.4, and their integrals, from which means over boxes are made: W(v),
+ * and the integral from 0 to v. */
 #ifndef MATC_VALUE_WAVES_H
 #define MATC_VALUE_WAVES_H
 
@@ -8,21 +8,21 @@ typedef double Curve(double v);
 typedef struct {
     const char *name;
     Curve *wave, *area;
-    double period; /* 0: it has none */
+    double period; /* 0: aperiodic */
 } WaveCurve;
 
 enum { WAVE_CURVES = 11 };
 extern const WaveCurve wave_curves[WAVE_CURVES];
 
-/* v less the greatest whole number below. */
+/* The fractional part: v - floor(v). */
 double part_of(double v);
-/* The mean between middle - edge / 2 and middle + edge / 2 of what `area` is the integral of; an
- * edge of 0 is a narrow one. */
+/* The mean of the function whose integral is `area`, from middle - edge / 2 to middle + edge /
+ * 2; an edge of 0 is replaced by a narrow one. */
 double mean_between(Curve *area, double middle, double edge);
-/* Mean of any function, from samples in the middles of so many slices. */
+/* Mean of any function, by the midpoint rule with `slices` slices. */
 double mean_of_slices(Curve *curve, double middle, double edge, int slices);
 
-/* The integrals of others: what is 1 in the lower half of every period 1 and -1 in the upper;
+/* Integrals of: a square wave, 1 in the lower half of every period of 1 and -1 in the upper;
  * cosine and sine. */
 double area_stripes(double v);
 double area_cosine(double v);

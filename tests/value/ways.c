@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdio.h>
 
-/* Without a footprint filtered maps have the values of plain ones. */
+/* Without a footprint, filtered maps have the values of unfiltered ones. */
 const Way way_table[] = {
     {TARGET_glsl330, 0, CHOICE_noise_lattice, false},
     {TARGET_glsl330, 2, CHOICE_noise_lattice, false},
@@ -56,7 +56,7 @@ void way_options(const Way *way, Slot slot, MatcOptions *options)
 bool way_matters(const Way *way, const Subjects *subjects)
 {
     const Choice choice = way->choice;
-    if (choice == CHOICE_aa_auto) /* means are aa=box's */
+    if (choice == CHOICE_aa_auto) /* its means are those of aa=box */
         return subjects->has[KIND_ImageMap] || subjects->has[KIND_Checker] ||
                subjects->has[KIND_Gradient];
     if (axis_table[choice_table[choice].axis].first == (int)choice)
@@ -80,9 +80,9 @@ Choice way_derivatives(const Way *way)
                                                               : CHOICE_derivatives_auto;
 }
 
-/* The oracle answers for all slots at once, which takes most of the time. So the ways with one of
- * its other noises or derivatives are in one share of a material, all slots of them; those by the
- * plain oracle, which every share needs, are spread. */
+/* The oracle computes all slots at once, which takes most of the time. Modes that need another
+ * noise or derivative of the oracle are therefore in a single share of a material, with all
+ * slots; modes of the plain oracle, which every share needs, are spread over the shares. */
 bool way_taken(const Way *way, Slot slot, int number)
 {
     enum { SHARES = 6 };
@@ -98,8 +98,8 @@ bool way_samples(const Way *way, const Subjects *subjects)
     return way->choice == CHOICE_aa_auto && subjects->has[KIND_ImageMap];
 }
 
-/* Bound for pictures of 16 bits, or of floats: a target without such textures keeps 11 bits, which
- * drivers may cut off: 2^-11 of the value. */
+/* Bound for pictures of 16 bits or floats: a target without float textures keeps 11 bits, which
+ * drivers may truncate: 2^-11 of the value. */
 static double half_bound(const Document *document, Target target)
 {
     for (int i = 0; i < document->graph->image_count; i++) {
@@ -116,29 +116,29 @@ double way_bound(const Way *way, const Document *document, int governing)
     return fmax(bound_table[governing].bound, half_bound(document, way->target));
 }
 
-/* So far out that differences of the oracle's doubles are no measure of a derivative, or the
- * bounded sine's bound is no more. */
+/* Distances beyond which differences of the oracle's doubles are no measure of a derivative, and
+ * beyond which the bounded sine's error bound does not hold. */
 static const float far_for_slopes = 1000, far_for_sines = 1e5f;
-/* Where half a texel is lost beside the coordinate: the sampler's own are floats, too. Slopes of
- * what it gives, which a BumpMap takes, are test_filtered_picture's where the target fetches no
- * texels for them. */
+/* Distance beyond which half a texel is lost to the rounding of a coordinate: the sampler's
+ * coordinates are floats, too. test_filtered_picture covers slopes of sampled pictures for
+ * BumpMap on targets without texel fetches. */
 static const float far_for_samplers = 100;
-/* Where a filter's points, each of which rounds by itself, lie apart by other distances than they
- * should: a hull moves all of them alike. */
+/* Distance beyond which the points of a filter, each rounded separately, have wrong spacings: a
+ * hull moves all of them alike. */
 static const float far_for_filters = 1000;
-/* Where the point of a cell, a float, is off by more than what is asked there may vary by: a hull
- * moves the place, and the cell's point stays. */
+/* Distance beyond which the point of a cell, a float, is off by more than its map's value may
+ * vary: a hull moves the position, but not the cell's point. */
 static const float far_for_centres = 3;
 
-/* Simplex noise is 0 at lattice points, where checkers have their edges: what it moves from there
- * stays within a rounding. */
+/* True if simplex noise is exactly 0 at a lattice point on a checker's edge, where it moves
+ * values by no more than rounding. */
 static bool point_on_edges(const Point *point)
 {
     const float near = 1e-5f, *u = point->input[INPUT_U];
     return fabsf(4 * u[0] - rintf(4 * u[0])) < near && fabsf(4 * u[1] - rintf(4 * u[1])) < near;
 }
 
-/* Whether the values are made of slopes that the oracle has from differences. */
+/* True if the values depend on slopes that the oracle approximates by finite differences. */
 static bool has_slopes(const Way *way, const Subjects *subjects)
 {
     return subjects_slopes(subjects, way->choice) &&

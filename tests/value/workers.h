@@ -1,8 +1,8 @@
-/* Many threads that do the same: each takes its next part of what `user` points to by an atomic
- * number. */
+/* Worker threads that run one function: each takes the next part of the work at `user` by an
+ * atomic counter. */
 #ifndef MATC_VALUE_WORKERS_H
 #define MATC_VALUE_WORKERS_H
 
-/* Runs `work` in as many threads as the machine has processors, 8 at most, and waits for them. */
+/* Runs `work` in as many threads as the machine has processors, at most 8, and waits for them. */
 void workers_run(void *(*work)(void *user), void *user);
 #endif

@@ -1,5 +1,5 @@
-/* Cameras of frames by closed forms, motions that are refused, which frames an option means, and
- * what their files are called. */
+/* Cameras of animation frames by closed forms, refused motions, the frames that an option
+ * selects, and the names of their files. */
 #include "runtime/scene_reader/scene_read.h"
 #include "tests/test.h"
 #include "runtime/viewer/frames.h"

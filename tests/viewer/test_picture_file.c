@@ -1,6 +1,6 @@
-/* Pictures as files, read back by what did not write them: PNG by libpng's simple interface and its
- * chunks, OpenEXR by the compiler's reader of images and by the bytes of its chunks. What cannot be
- * written is told, and leaves nothing. */
+/* Picture files, read back by independent readers: PNG by libpng's simple interface and by its
+ * chunks, OpenEXR by the compiler's reader of images and by the bytes of its chunks. A failed
+ * write is reported, and leaves no file. */
 #include "tests/test.h"
 #include "runtime/viewer/picture_file.h"
 #include <OpenEXR/openexr.h>
@@ -163,8 +163,8 @@ static void what_fails_leaves_nothing(void **state)
     assert_int_equal(access(path, F_OK), -1);
 }
 
-/* A disk that is full, as far as a limit of files is one: the cause is said, and not what a library
- * makes of it. */
+/* On a full disk, simulated by a file size limit, the system's cause is reported, not a
+ * library's message. */
 static void full_disks_are_said(void **state)
 {
     (void)state;

@@ -1,4 +1,4 @@
-/* The preview's pictures against what they should show: a sphere in its lights by the Phong shading
+/* The preview's pictures against their definition: a sphere in its lights by the Phong shading
  * of semantics.md 4.1, every slot. */
 /* ctest: seconds=14 */
 #include "tests/test.h"
@@ -13,7 +13,7 @@ static const Vector light_direction[] = {
 static const Vector light_color[] = {{{.88, .84, .77}}, {{.15, .19, .25}}, {{.42, .45, .5}}};
 static const Vector above = {{.42, .44, .48}}, below = {{.11, .104, .098}};
 
-/* A grey Phong without transparency: what it sends to the eye from where its normal is n, seen
+/* A gray Phong without transparency: what it sends to the eye from where its normal is n, seen
  * along `ray`. */
 typedef struct {
     double diffuse, specular, exponent, ambient, emissive;
@@ -43,7 +43,7 @@ static double shade(const Phong *m, const View *view, Vector n, Vector ray, int 
     return sum;
 }
 
-/* Straight to 0.7, then bent. */
+/* The tone curve: linear to 0.7, then bent. */
 static double tone(double c)
 {
     double over = fmax(c - .7, 0) / .3;
@@ -154,7 +154,7 @@ static void mirrors_show_the_room(void **state)
     discard(&p);
 }
 
-/* A surface that only sends out light has the colour that its document says, byte for byte:
+/* A surface that only sends out light has the color that its document says, byte for byte:
  * decoded, drawn and encoded again. The preview bends what is brighter than 0.7, which is byte
  * 218. */
 static void srgb_bytes_come_back(void **state)

@@ -1,5 +1,5 @@
-/* Where the preview's cameras look: a sky by the C reference in directions from the camera's
- * definition, points beside the middle, files the right way up. */
+/* The preview's cameras: a sky by the C reference in directions from the camera's definition,
+ * points away from the center, files the right way up. */
 #include "tests/test.h"
 #include "tests/preview.h"
 #include <stdio.h>

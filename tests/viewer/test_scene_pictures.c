@@ -1,5 +1,5 @@
-/* Frames of a motion, drawn by one renderer, against each by a renderer of its own: every byte of
- * their files. */
+/* Frames of a motion drawn by one renderer, against each frame drawn by its own renderer: every
+ * byte of their files. */
 /* ctest: seconds=34 */
 #include "tests/test.h"
 #include "compiler/base/file.h"

@@ -1,4 +1,4 @@
-/* The contact sheet: its size, where its pictures lie, and that its names can be read. */
+/* The contact sheet: its size, the places of its pictures, and the legibility of its names. */
 /* ctest: quick */
 #include "tests/test.h"
 #include "runtime/viewer/font.h"
@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Few cells are empty, and a sheet is wider than high, but not by much. */
+/* Few cells are empty, and a sheet is slightly wider than high. */
 static void columns_fill_rows(void **state)
 {
     (void)state;
@@ -27,7 +27,7 @@ static const unsigned char *pixel(const PngPicture *picture, int x, int y)
     return picture->bytes + ((picture->height - 1 - y) * picture->width + x) * 3;
 }
 
-/* A picture of one colour but for its lowest row, which is blue: that is next to the name. */
+/* A picture of one color but for its lowest row, which is blue: that is next to the name. */
 static void add(ContactSheet *sheet, const char *name, int red, int green)
 {
     unsigned char *rgb = malloc((size_t)(sheet->width * sheet->height * 3));
@@ -42,8 +42,8 @@ static void add(ContactSheet *sheet, const char *name, int red, int green)
     free(rgb);
 }
 
-/* Places of the sheet where a picture of that colour begins: its pixel is one, and those to the
- * left and above are none. */
+/* Counts the places where a picture of that color begins: pixels of the color without one to the
+ * left and above. */
 static int count_cells(const PngPicture *p, int red, int green, int *left, int *top)
 {
     int count = 0;

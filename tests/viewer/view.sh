@@ -1,5 +1,6 @@
 #!/bin/sh
-# matview from outside: its options, and --watch: view.sh MATVIEW. Run from the project's root.
+# Tests matview's command line, its options and --watch: view.sh MATVIEW. Run from the project's
+# root.
 set -u
 matview=$(realpath "$1")
 work=$(mktemp -d)

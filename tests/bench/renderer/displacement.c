@@ -1,5 +1,5 @@
-/* matbench displacement: how far displaced triangles are from the surface, by their number and by
- * how they are divided; how many are displaced and drawn a second. */
+/* matbench displacement: distance of displaced triangles from the true surface, by their number
+ * and subdivision method, and the number of triangles displaced and drawn per second. */
 #include "displacement.h"
 #include "tests/bench/matbench.h"
 #include "runtime/renderer/renderer.h"
@@ -36,7 +36,7 @@ static double height_at(const Field *f, double x, double y)
            (texel(f, i, k + 1) * (1 - s) + texel(f, i + 1, k + 1) * s) * t;
 }
 
-/* By 1, 2, 1 along both axes. */
+/* Smooths with the kernel 1, 2, 1 along both axes. */
 static void smooth(Field *f)
 {
     double *next = malloc((size_t)f->side * (size_t)f->side * sizeof *next);
@@ -58,7 +58,7 @@ static double chance(uint32_t *state)
     return (*state >> 8) * 0x1p-24;
 }
 
-/* Bowls with rims, of sizes by a power law: what the map of an asteroid has. */
+/* Craters with rims, with a power law of sizes, as on an asteroid's height map. */
 static Field craters(void)
 {
     Field f = {SIDE, calloc((size_t)SIDE * SIDE, sizeof *f.height)};
@@ -78,7 +78,7 @@ static Field craters(void)
     return f;
 }
 
-/* The red of a picture, a quarter of the edge high, smoothed. */
+/* Reads the red channel of a picture, scaled to a quarter of the edge, and smooths it. */
 static bool read_map(const char *path, Field *f)
 {
     char text[TEXT];
@@ -125,10 +125,10 @@ static bool lift(void *user, const ShapeVertex *at, int count, double (*to)[3])
 typedef struct {
     double square, most;
     long count;
-    unsigned char *met; /* by point: a triangle has it */
+    unsigned char *met; /* for each point: covered by a triangle */
 } Error;
 
-/* Points of the field within a triangle, or on its edges. */
+/* Adds points of the field within a triangle, or on its edges. */
 static void add_triangle(const Field *f, const float *const p[3], Error *e)
 {
     const double ax = p[0][0], ay = p[0][1], bx = p[1][0] - ax, by = p[1][1] - ay,
@@ -261,7 +261,7 @@ static bool measure_slopes(GlContext *gl, const BenchOptions *a)
 static const struct {
     const char *name;
     bool (*measure)(GlContext *, const BenchOptions *);
-    bool asked; /* for alone, by its name */
+    bool asked; /* measured only if named */
 } tables[] = {{"error", measure_error, false},
               {"speed", measure_speed, false},
               {"programs", measure_programs, false},

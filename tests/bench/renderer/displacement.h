@@ -4,7 +4,7 @@
 #include <stdbool.h>
 
 typedef struct GlContext GlContext;
-/* False: it is told why. */
+/* Returns false after a message. */
 bool displacement_speed(GlContext *gl, bool timed, int triangles);
 bool displacement_programs(GlContext *gl, bool timed, int triangles);
 /* plot: name of an SVG file, without ".svg", for charts of the thesis' figures 23 and 24; or

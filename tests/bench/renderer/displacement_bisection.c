@@ -1,5 +1,5 @@
-/* matbench displacement, the table of bisection: what a view takes whose triangles are those of the
- * view before, but for what has changed; and what is kept for it. */
+/* matbench displacement, table of bisection: time and memory of a view that starts from the
+ * triangles of the previous view and updates only what changed. */
 #include "displacement.h"
 #include "tests/bench/matbench.h"
 #include "runtime/displace/bisection/displaced_bisection.h"
@@ -14,7 +14,7 @@ enum { EDGE = 1024, VIEWS = 24, TEXT = 2048 };
 
 static const struct {
     const char *name;
-    double step; /* of the camera between two views; the square's edge is 40 */
+    double step; /* camera travel between two views; the square's edge is 40 */
 } rows[] = {{"by 0.002", .002}, {"by 0.02", .02}, {"by 0.2", .2}};
 enum { ROWS = sizeof rows / sizeof *rows };
 
@@ -68,10 +68,10 @@ static void end(Bisected *b)
     matc_document_free(b->document);
 }
 
-/* Seconds of all processors together that this program has had. */
+/* CPU seconds of this program on all cores. */
 static double processor_now(void) { return (double)clock() / CLOCKS_PER_SEC; }
 
-/* Seconds; a negative number: it fails. */
+/* Seconds; negative on failure. */
 static double write(Bisected *b)
 {
     const DisplacedView view = {b->scene, {EDGE, EDGE}, {0}, {0}, {0}};
@@ -83,7 +83,7 @@ static double write(Bisected *b)
     return bench_now() - begin;
 }
 
-/* Until there are about as many as there may be. */
+/* Searches the error bound that gives about the max number of triangles. */
 static double find_pixels(Bisected *b, int triangles)
 {
     double took = write(b);

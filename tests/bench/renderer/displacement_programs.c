@@ -1,5 +1,5 @@
-/* matbench displacement, the table of programs: what a frame of displaced triangles takes that a
- * driver displaces as it draws, beside triangles that stand displaced in a buffer. */
+/* matbench displacement, table of programs: frame time when the driver displaces triangles at
+ * draw time, next to triangles that are stored displaced in a buffer. */
 #include "displacement.h"
 #include "tests/bench/matbench.h"
 #include "runtime/gpu_material/spaces.h"
@@ -23,7 +23,7 @@ typedef enum { BY_BUFFER, BY_VERTEX, BY_TESSELLATION } By;
 static const struct {
     const char *name;
     By by;
-    int level; /* parts of an edge of a patch */
+    int level; /* segments per edge of a patch */
 } rows[] = {{"in a buffer", BY_BUFFER, 1},
             {"vertex program", BY_VERTEX, 1},
             {"tessellation, 16", BY_TESSELLATION, 16},
@@ -38,7 +38,7 @@ typedef struct {
     Material material;
     Mesh mesh;
     By by;
-    int level, patches; /* along an edge of the square */
+    int level, patches; /* segments along an edge of the square */
 } Drawn;
 
 static bool make_material(Drawn *d)
@@ -61,8 +61,7 @@ static bool make_material(Drawn *d)
     return matc_ok(d->program) && material_make(d->store, d->program, &stage, &d->material);
 }
 
-/* A square of edge 2; for the buffer its height is a wave, which costs what any other does
- * there. */
+/* A square of edge 2; in the buffer its height is a wave, whose cost is typical. */
 static bool make_mesh(Drawn *d, int triangles)
 {
     Shape square, divided;
@@ -82,7 +81,7 @@ static bool make_mesh(Drawn *d, int triangles)
     return fine;
 }
 
-/* matc_levels such that edges in the middle have `level` parts. */
+/* Sets matc_levels so that edges in the middle have `level` segments. */
 static void set_spaces(Drawn *d)
 {
     static const float eye[3] = {0, -2.6f, 2}, target[3] = {0, 0, 0}, up[3] = {0, 0, 1};
@@ -106,7 +105,7 @@ static void draw(const Drawn *d)
     d->gl->BindVertexArray(0);
 }
 
-/* Triangles, and the least seconds. */
+/* Counts triangles, and returns the minimum of seconds. */
 static double measure(Drawn *d, const Framebuffer *target, double *count)
 {
     const float clear[4] = {0};

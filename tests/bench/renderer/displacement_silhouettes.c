@@ -1,6 +1,6 @@
-/* matbench displacement, the table of silhouettes: how far outlines of triangles are from those of
- * the surface, which is traced through a grid so fine that its triangles are a fraction of a
- * pixel. */
+/* matbench displacement, table of silhouettes: distance of the triangles' outlines from those of
+ * the surface. The surface is ray-marched through a grid so fine that its triangles are a
+ * fraction of a pixel. */
 #include "displacement.h"
 #include "tests/bench/matbench.h"
 #include "runtime/renderer/renderer.h"
@@ -10,10 +10,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* From where the asteroid is seen: outlines go by other bumps from each side. */
+/* Views of the asteroid: outlines show other bumps from each side. */
 static const double views[][3] = {{0, -3, .6}, {2.5, 1.7, .5}, {-2.6, 1.2, -1}, {.5, 1, 2.85}};
-/* A pixel of the picture is SCALE by SCALE here, and so `pixels` of the methods count that much
- * more. */
+/* A pixel of the picture is SCALE by SCALE pixels here, so `pixels` of the methods is multiplied
+ * accordingly. */
 enum {
     SCALE = 4,
     EDGE = 160 * SCALE,
@@ -36,9 +36,9 @@ static const struct {
 enum { ROWS = sizeof rows / sizeof *rows };
 
 typedef struct {
-    bool *covered; /* by pixel */
-    long count;    /* of these */
-    int triangles; /* 0: not asked for */
+    bool *covered; /* for each pixel */
+    long count;    /* number of covered pixels */
+    int triangles; /* 0: not requested */
 } Mask;
 
 static bool fail(GlContext *gl, const Scene *scene, MatcDocument *document)
@@ -62,7 +62,7 @@ static bool draw_view(Renderer *render, Scene *scene, int view, float *light)
            renderer_read(render, light);
 }
 
-/* A mask for each view. Triangles come back where edges are blended. */
+/* Draws a mask for each view. Edge blending captures the triangles. */
 static bool draw(GlContext *gl, const char *how, bool counted, Mask *masks)
 {
     char text[TEXT];
@@ -112,7 +112,7 @@ static bool is_outline(const bool *covered, int x, int y)
            covered[at] != covered[at + (y + 1 < EDGE ? EDGE : 0)];
 }
 
-/* From a pixel to the nearest of the outline, in pixels of the picture. */
+/* Distance of a pixel from the nearest pixel of the outline, in pixels of the picture. */
 static double distance_of(const bool *covered, int at)
 {
     double least = SEARCH * SEARCH;
@@ -126,12 +126,12 @@ static double distance_of(const bool *covered, int at)
     return sqrt(least) / SCALE;
 }
 
-/* How far one outline is from the other: in the mean, at most. */
+/* Distance between two outlines: mean and maximum. */
 typedef struct {
     double mean, most;
 } Apart;
 
-/* Every pixel that one has and the other has not is between both outlines. */
+/* Pixels that only one mask covers lie between both outlines. */
 static Apart compare(const Mask *truth, const Mask *mask)
 {
     long outline = 0, between = 0;

@@ -1,6 +1,5 @@
-/* matbench displacement, the table of slopes: what normals of a curved surface that is displaced
- * are off where those of its base are taken to stay as they are, and where they turn as the base
- * does. */
+/* matbench displacement, table of slopes: error of the normals on a displaced curved surface,
+ * with the base normal taken as constant and with its derivatives. */
 #include "displacement.h"
 #include "tests/bench/matbench.h"
 #include "tests/draw/curved.h"
@@ -11,13 +10,13 @@
 
 enum { POINTS = 4000, TEXT = 300, PARTS = 4 };
 
-/* Degrees in the root of the mean square, and at most. */
+/* Error in degrees: root mean square, and maximum. */
 typedef struct {
     double mean, most;
 } Off;
 
-/* By how much of the body's radius it rises, or is moved by a vector; without what turns: normals
- * of the base, or its tangents about them. */
+/* Height or vector displacement relative to the radius; with constant base normals, or tangents,
+ * as the approximation. */
 typedef struct {
     CurvedBody body;
     double part;

@@ -1,5 +1,5 @@
-/* matbench displacement, the table of speed: how many triangles a second each method displaces,
- * into a mesh or a buffer, and how many the picture's first pass then draws. */
+/* matbench displacement, table of speed: triangles per second that each method displaces into a
+ * mesh or buffer, and triangles per second that the first pass then draws. */
 #include "displacement.h"
 #include "tests/bench/matbench.h"
 #include "runtime/displace/displaced.h"
@@ -13,14 +13,14 @@ enum { EDGE = 512, FRAMES = 5, TEXT = 2048 };
 
 static const struct {
     const char *name;
-    Keyword driver; /* whose method it is: into a buffer; 0: the processor's, into a mesh */
+    Keyword driver; /* driver method, into a buffer; 0: on the CPU, into a mesh */
 } methods[] = {{"mesh", 0},
                {"bisection", 0},
                {"grid", KEYWORD_Displacing_grid},
                {"tessellation", KEYWORD_Displacing_tessellation},
                {"geometry", KEYWORD_Displacing_geometry}};
 
-/* Seconds that the pass surface takes, at least. */
+/* Minimum seconds of the pass surface. */
 static double least_frame(GlContext *gl, Renderer *render)
 {
     RendererPassTime times[RENDERER_PASSES_MAX];
@@ -35,14 +35,14 @@ static double least_frame(GlContext *gl, Renderer *render)
     return least;
 }
 
-/* Seconds until the driver has written the buffer, the least of some times; and its triangles.
- * Negative: it fails. */
+/* Minimum seconds until the driver has written the buffer, and its number of triangles. Negative
+ * on failure. */
 static double least_write(GlContext *gl, const Scene *scene, const MatcOptions *compile,
                           double *triangles)
 {
     double least = INFINITY;
     Store *store = store_new(gl);
-    Displaced kept = {0}; /* whose programs stay */
+    Displaced kept = {0}; /* its programs are reused */
     Mesh mesh;
     bool fine = store && mesh_make_captured(gl, &mesh);
     for (int i = 0; fine && i < FRAMES; i++) {
@@ -53,7 +53,7 @@ static double least_write(GlContext *gl, const Scene *scene, const MatcOptions *
         const double begin = bench_now();
         fine = fine && displaced_write(&d, &view, &mesh);
         gl->Finish();
-        least = i ? fmin(least, bench_now() - begin) : least; /* the first compiles */
+        least = i ? fmin(least, bench_now() - begin) : least; /* the first run compiles */
         *triangles = mesh.index_count / 3.;
         displaced_delete(&kept);
         kept = d;

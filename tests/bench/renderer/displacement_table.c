@@ -1,7 +1,7 @@
-/* matbench displacement, the table of the thesis: frames a second by the number of triangles, by
- * its third and second version at its numbers of steps, as it has them and here. Each frame the
- * camera has moved, so that all is divided, moved and drawn again; what stands in a buffer is drawn
- * alone. */
+/* matbench displacement, table of the thesis: frames per second by the number of triangles, for
+ * its third and second version at its step counts, its figures next to ours. The camera moves in
+ * each frame, so that all triangles are subdivided, displaced and drawn each time; triangles
+ * stored in a buffer are only drawn. */
 #include "displacement.h"
 #include "tests/bench/matbench.h"
 #include "runtime/frame_graph/frame.h"
@@ -13,8 +13,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Its figures 22 to 24, of 2009: brute force, then 11, 10, 9, 8 steps of the third version, 10, 9,
- * 8 of the second; 0: none. */
+/* Figures 22 to 24 of the thesis, of 2009: brute force, then 11, 10, 9, 8 steps of the third
+ * version, 10, 9, 8 of the second; 0: none. */
 enum {
     THIRD = 4,
     SECOND = 3,
@@ -151,7 +151,7 @@ static void close_drawn(Drawn *d)
     matc_document_free(d->document);
 }
 
-/* The least time of a frame for which the camera has moved a little. */
+/* Minimum time of a frame after a small camera move. */
 static bool measure(Drawn *d, double height, Point *made)
 {
     *made = (Point){0, INFINITY};
@@ -170,7 +170,7 @@ static bool measure(Drawn *d, double height, Point *made)
     return true;
 }
 
-/* From far away, where there are few triangles, on to where there are `most`, or no more. */
+/* Moves from far away, with few triangles, closer until there are `most`, or no more. */
 static bool measure_version(GlContext *gl, int version, int most, Curve *curve)
 {
     const double farthest = 8e4, nearer = .66;
@@ -193,7 +193,7 @@ static bool measure_version(GlContext *gl, int version, int most, Curve *curve)
     return fine;
 }
 
-/* Triangles that stand in a buffer, all alike: of a mesh that was displaced, or by grids. */
+/* Triangles of uniform size stored in a buffer: of a displaced mesh, or of grids. */
 static bool measure_even(GlContext *gl, const char *method, double height, int most, Curve *curve)
 {
     bool fine = true;
@@ -208,8 +208,7 @@ static bool measure_even(GlContext *gl, const char *method, double height, int m
     return fine;
 }
 
-/* Frames a second of so many triangles, between the two numbers nearest; NAN: fewer or more were
- * not drawn. */
+/* Frames per second for a number of triangles, interpolated; NAN outside of the measured range. */
 static double frames_at(const Curve *curve, double triangles)
 {
     for (int i = 1; i < curve->count; i++) {
@@ -222,7 +221,7 @@ static double frames_at(const Curve *curve, double triangles)
     return NAN;
 }
 
-/* Below ten with one decimal. */
+/* One decimal below ten. */
 static int decimals(double frames) { return frames < 9.95 ? 1 : 0; }
 
 static double given(int frames) { return frames ? frames : (double)NAN; }
@@ -235,7 +234,7 @@ typedef struct {
     int count;
 } Line;
 
-/* The thesis' frames a second in a column: those of THIRD, then of SECOND; -1: brute force. */
+/* The thesis' frames per second in a column: those of THIRD, then of SECOND; -1: brute force. */
 static double thesis_rate(int row, int column)
 {
     const int rate = column < 0       ? rows[row].brute

@@ -1,7 +1,7 @@
-/* matbench indirect: what voxels take: slice maps and their levels, by triangles; rays through them
- * by levels, voxel by voxel, and by the thesis' march; how calm a camera's path is:
- * indirect_path.c; what passes take: indirect_passes.c; time and error of qualities:
- * indirect_quality.c; the thesis' tables: indirect_table.c. */
+/* matbench indirect: cost of voxels: slice maps and their levels, by number of triangles; rays
+ * through the levels, voxel by voxel, and by the thesis' march. Further tables: flicker along a
+ * camera path (indirect_path.c), cost of passes (indirect_passes.c), time and error of qualities
+ * (indirect_quality.c), tables of the thesis (indirect_table.c). */
 #include "gen/render_text.h"
 #include "runtime/indirect/voxels/voxels.h"
 #include "indirect_passes.h"
@@ -114,7 +114,7 @@ static double map_time(const Place *p, int levels, int frames)
     return least;
 }
 
-/* Time of making the map's bricks, which rays read, relative to that of the map. */
+/* Time of making the map's bricks for rays, relative to that of the map. */
 static double bricks_time(const Place *p)
 {
     double least = INFINITY;
@@ -128,7 +128,7 @@ static double bricks_time(const Place *p)
     return least;
 }
 
-/* Bodies are surfaces from now on: all drawn, or those of small triangles one by one. */
+/* Switches to surface voxelization: all triangles by the rasterizer, or small ones individually. */
 static void make_surfaces(const Place *p, bool drawn)
 {
     for (int i = 0; i < p->render->gpu_scene.place_count; i++)
@@ -136,7 +136,7 @@ static void make_surfaces(const Place *p, bool drawn)
     p->render->voxels->wave_count = 0;
 }
 
-/* The lowest level of bricks: so many words, from malloc; NULL: memory ran out. */
+/* The finest level of bricks, `words` words, from malloc; NULL: memory ran out. */
 static uint32_t *read_bricks(const Place *p, int words)
 {
     const int edge = p->render->voxels->grid.size / 4, above = (edge * edge * edge - 1) / 7;
@@ -149,7 +149,7 @@ static uint32_t *read_bricks(const Place *p, int words)
     return made;
 }
 
-/* Voxels that one of two maps alone has full; -1: there is none. */
+/* Number of voxels that are full in only one of two maps; -1 if a map is missing. */
 static int count_others(const uint32_t *a, const uint32_t *b, int words)
 {
     int count = a && b ? 0 : -1;
@@ -201,7 +201,7 @@ static bool measure_maps(GlContext *gl, const BenchOptions *a)
 
 /* -- rays */
 
-/* Points spread over triangles by their number, not their area: most are on what is round. */
+/* Points spread over triangles by number, not area, so most are on round parts. */
 static bool make_points(const Place *p, VoxelPoints *points)
 {
     uint32_t state = 3;
@@ -334,7 +334,7 @@ static const struct {
     bool (*measure)(GlContext *, const BenchOptions *);
 } tables[] = {{"maps", measure_maps},     {"rays", measure_rays},       {"path", measure_path},
               {"passes", measure_passes}, {"quality", measure_quality}, {"table", autotune_table}};
-/* what takes minutes is measured only by its name */
+/* tables that take minutes run only if named */
 enum { TABLES = sizeof tables / sizeof *tables, LONG = 3 };
 
 const char *bench_indirect_table_name(const void *user, int i)

@@ -1,6 +1,7 @@
-/* matbench indirect passes: what each pass of indirect light takes, by the driver's clock where it
- * has one, in the scenes that say what is to be reached, beside the thesis' march of 32 rays of 32
- * steps, all of a scene in turns. How far off they are is for test_frame_indirect_truth goals. */
+/* matbench indirect passes: time of each pass of indirect light, by the driver's timer query
+ * where available, in the scenes that have goals, next to the thesis' march of 32 rays of 32
+ * steps. All variants of a scene are timed alternately. The errors are measured by
+ * test_frame_indirect_truth goals. */
 #include "indirect_passes.h"
 #include "tests/bench/matbench.h"
 #include "runtime/gl/clock.h"
@@ -39,10 +40,9 @@ typedef struct {
     double radius;
     int bounces;
     double
-        /* milliseconds on a GPU of the H100's kind that the first of its rows may take; NAN:
-         * nothing is said */
+        /* max milliseconds of the first row on a GPU like an H100; NAN: no goal */
         most;
-    const char *rows[ROWS_MAX]; /* keys */
+    const char *rows[ROWS_MAX]; /* settings of each row */
 } Place;
 
 static const Place places[] = {
@@ -69,7 +69,7 @@ typedef struct {
     MatcDocument *document;
     Scene *scene;
     Renderer *render;
-    double least[TIMED]; /* seconds */
+    double least[TIMED]; /* minimum of seconds */
 } Row;
 
 static void close_row(Row *row)
@@ -110,7 +110,7 @@ static double each_frame(const Row *row)
     return sum;
 }
 
-/* Goals are those of the first row, and of GPUs. */
+/* Goals apply to the first row, and to GPUs. */
 static void put_row(const IndirectPasses *p, const Place *place, const Row *row, const Row *march,
                     int number)
 {

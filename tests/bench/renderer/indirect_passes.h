@@ -4,9 +4,9 @@
 #include "runtime/renderer/renderer.h"
 
 typedef struct {
-    /* indirect_scenes_bunny; NULL: the bunny, where tests/meshes/fetch.sh has put it */
+    /* indirect_scenes_bunny; NULL: the bunny from tests/meshes/fetch.sh */
     const char *mesh, *lift;
-    int edge; /* of the picture, in pixels */
+    int edge; /* width and height of the picture */
     bool timed;
 } IndirectPasses;
 

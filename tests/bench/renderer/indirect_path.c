@@ -1,6 +1,6 @@
-/* matbench indirect path: a camera goes around a ball and boxes in 60 frames; how far ambient
- * occlusion is off, and how much of that differs from frame to frame, which is what one sees as
- * flicker, by what is kept of frames before. */
+/* matbench indirect path: a camera moves around a ball and boxes in 60 frames. Measures the
+ * error of ambient occlusion, and its change from frame to frame, which is visible as flicker,
+ * by the share of history that is kept. */
 #include "indirect_path.h"
 #include "tests/bench/matbench.h"
 #include "runtime/scene_reader/scene_read.h"
@@ -23,7 +23,7 @@ static const char body[] =
     "} "
     "}\n";
 
-/* The first is what the others are compared with. */
+/* The first one is the reference of the others. */
 static const char *const ways[] = {"samples: 16",
                                    "filter: none",
                                    "filter: none, history: 16",
@@ -44,7 +44,7 @@ typedef struct {
     Scene *scene;
     Renderer *render;
     float now[4 * PIXELS];
-    double error[PIXELS]; /* of the frame before */
+    double error[PIXELS]; /* errors of the previous frame */
     double off, flicker;  /* sums of mean squares */
 } Path;
 

@@ -1,7 +1,7 @@
-/* matbench indirect quality: time and error of each word of `quality:`, in the box of
- * indirect_scenes.h. The error is the root of the mean square over all pixels against 64 sets of 64
- * rays without a filter; of light as a share of its mean. The time is that of the passes that run
- * in each frame, as a share of what `normal` takes, all in turns. */
+/* matbench indirect quality: time and error of each value of `quality:`, in the box of
+ * indirect_scenes.h. The error is the root mean square over all pixels against 64 sets of 64
+ * rays without a filter; for light it is relative to the mean. The time is that of the passes
+ * that run in each frame, relative to `normal`, timed alternately. */
 #include "indirect_quality.h"
 #include "grammar/tables.h"
 #include "tests/bench/matbench.h"

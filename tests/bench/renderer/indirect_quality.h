@@ -4,7 +4,7 @@
 #include "runtime/renderer/renderer.h"
 
 typedef struct {
-    int edge; /* of the picture, in pixels */
+    int edge; /* width and height of the picture */
     bool timed;
 } IndirectQuality;
 

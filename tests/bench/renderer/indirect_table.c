@@ -1,6 +1,7 @@
-/* matbench indirect table: both tables of Thiedemann 2009, 6.2, with its values of keys, beside the
- * defaults at the same views. What "off" is counted from is this renderer's own hybrid, 512 rays a
- * pixel in 256 voxels along an edge: tests compare that with rays of Embree. */
+/* matbench indirect table: both tables of Thiedemann 2009, 6.2, with its parameter values, next
+ * to our defaults at the same views. The reference of the column "off" is this renderer's own
+ * hybrid method with 512 rays per pixel in 256 voxels along an edge, which tests compare with
+ * Embree's rays. */
 #include "indirect_table.h"
 #include "tests/bench/matbench.h"
 #include "runtime/scene_reader/scene_read.h"
@@ -20,8 +21,8 @@ enum { TEXT = 8192, KEYS = 512, FRAMES = 2, FRAMES_MAX = 64, BODIES = 6, MESHES 
 
 typedef enum { MESH_none, MESH_bunny, MESH_dragon } BodyMesh;
 
-/* A mesh as high as `high`, on the floor. What no file has is a ball with bumps, of as many
- * triangles as are wanted. */
+/* A mesh of height `high` on the floor. A mesh without a file is replaced by a bumpy ball of
+ * equally many triangles. */
 typedef struct {
     BodyMesh mesh;
     int triangles;
@@ -31,10 +32,10 @@ typedef struct {
 typedef struct {
     const char *name, *preset;
     double radius;
-    int blur; /* pixels to each side, of a picture of half the width */
+    int blur; /* radius of the blur in pixels, at half the width */
     Body bodies[BODIES];
     int count;
-    /* frames a second of the thesis' systems; of table 1 points and rays in the picture and in
+    /* the thesis' frames per second; for table 1 by points and rays in screen space and in
      * voxels */
     double direct[2], rows[6][2];
 } Place;
@@ -79,8 +80,8 @@ static const Place places[] = {
      {{3, 11.8}, {2.4, 10}, {2.7, 11}, {1.7, 9.4}, {6.9, 23.7}, {5.1, 22}}}};
 enum { PLACES = sizeof places / sizeof *places };
 
-/* The Cornell box, 5 wide as the thesis', seen from its open side; walls as thick as two voxels of
- * 128. */
+/* The Cornell box, 5 wide like the thesis', seen from its open side; walls are two voxels of 128
+ * thick. */
 static const char room[] =
     "camera: { camera: Perspective, position: [0, -9.6, 2.5], target: [0, 0, 2.5], angle: 41 "
     "}\nmaterials:\n"
@@ -101,7 +102,7 @@ static const char room[] =
     "2.5] } }\n";
 enum { WALLS = 5 };
 
-/* As high as 1 from z = 0 on, above the origin. */
+/* Scales to height 1 from z = 0 on, above the origin. */
 static void stand(Shape *shape)
 {
     float low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
@@ -118,7 +119,7 @@ static void stand(Shape *shape)
     }
 }
 
-/* A file of y up whose format has no rule for that. */
+/* Converts y up to z up, for a file format without an up axis. */
 static void raise_z(Shape *shape)
 {
     for (int i = 0; i < 2 * shape->vertex_count; i++) {
@@ -129,7 +130,7 @@ static void raise_z(Shape *shape)
     }
 }
 
-/* NULL: it is nowhere. */
+/* NULL: not found. */
 static char *find_mesh(const IndirectTable *t, BodyMesh mesh)
 {
     static const char *const names[MESHES] = {"", "bunny", "dragon-small"}, *const files[MESHES] = {
@@ -161,7 +162,7 @@ static bool open_mesh(const IndirectTable *t, const Body *body, Shape *made)
     return fine;
 }
 
-/* Bodies of one mesh share it, as objects of one file do. */
+/* Objects with the same mesh share it, like objects of one file. */
 static bool open_meshes(const IndirectTable *t, const Place *place, SceneMesh meshes[BODIES],
                         int *count)
 {
@@ -197,7 +198,7 @@ static void close_drawn(Drawn *d)
 {
     renderer_close(d->render);
     if (d->scene)
-        d->scene->mesh_count = 0; /* they are the table's */
+        d->scene->mesh_count = 0; /* the table owns the meshes */
     scene_free(d->scene);
     matc_document_free(d->document);
 }
@@ -233,10 +234,10 @@ static bool open_drawn(const Bench *b, const char *keys, const char *view, Drawn
     return fine || fprintf(stderr, "matbench: %s\n", b->gl->error) < 0;
 }
 
-/* The least of a few frames, of more where they are short, the camera said to be another, as then
- * nothing but what knows no camera is kept. */
+/* Minimum of a few frames, more if they are short, with the camera marked as changed, so that
+ * only camera-independent data is reused. */
 typedef struct {
-    /* of all threads, what a driver without a GPU takes, however busy the machine is */
+    /* CPU time of all threads, the cost of a software driver independent of other load */
     double seconds, processor;
 } FrameTime;
 
@@ -259,7 +260,7 @@ static bool time_frame(const Bench *b, const char *keys, FrameTime *time)
     return fine;
 }
 
-/* Indirect light, and ambient occlusion behind it. */
+/* Reads indirect light, with ambient occlusion after it. */
 static bool find_values(const Bench *b, const char *keys, float *rgba)
 {
     Drawn drawn;
@@ -269,7 +270,7 @@ static bool find_values(const Bench *b, const char *keys, float *rgba)
     return fine;
 }
 
-/* Roots of means of squares: of ambient occlusion; of light, over its mean. */
+/* Root mean square error of ambient occlusion, or of light relative to its mean. */
 static double off_by(const Bench *b, const float *is, const float *want, bool light)
 {
     const int pixels = b->table->edge * b->table->edge;
@@ -287,7 +288,7 @@ static double off_by(const Bench *b, const float *is, const float *want, bool li
 
 typedef struct {
     const char *name, *preset; /* NULL: the place's */
-    const char *keys;          /* behind it */
+    const char *keys;          /* appended to it */
     /* in Place.rows; OURS, by defaults, or DIRECT, without `indirect:` */
     int of;
     bool light, half;

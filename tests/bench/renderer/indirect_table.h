@@ -4,9 +4,9 @@
 #include "runtime/renderer/renderer.h"
 
 typedef struct {
-    /* a folder with bunny.obj and dragon-small.ply; NULL: where tests/meshes/fetch.sh puts them */
+    /* a folder with bunny.obj and dragon-small.ply; NULL: the folder of tests/meshes/fetch.sh */
     const char *meshes;
-    int edge; /* of the picture, in pixels */
+    int edge; /* width and height of the picture */
     bool timed;
 } IndirectTable;
 

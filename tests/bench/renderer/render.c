@@ -1,6 +1,6 @@
-/* matbench render: what a frame takes, after the tables of the thesis: by materials, lights and
- * objects, beside a forward renderer, both without tone mapping, in turns, and of one picture; what
- * render_passes.h has. */
+/* matbench render: frame times as in the tables of the thesis: by the number of materials,
+ * lights and objects, next to a forward renderer, both without tone mapping and timed
+ * alternately; the time of a single picture; and the tables of render_passes.h. */
 #include <stdio.h>
 #include "tests/bench/matbench.h"
 #include "render_scenes.h"
@@ -13,17 +13,18 @@
 /* -- series beside the forward renderer */
 
 enum {
-    FORWARD_PROGRAMS = 120, /* more are not compiled: a driver takes minutes for them */
+    /* max for the forward renderer: a driver takes minutes to compile more */
+    FORWARD_PROGRAMS = 120,
     UNTIMED_PROGRAMS = 10,
     MAX_ROWS = 12
 };
 
 typedef struct {
     const char *name, *what;
-    int counts[MAX_ROWS]; /* 0 behind the last */
+    int counts[MAX_ROWS]; /* terminated by 0 */
     void (*write)(Text *out, int count);
-    bool programs; /* so many, for the forward renderer */
-    bool bounded;  /* also with far lights taken together */
+    bool programs; /* the counts are numbers of programs, for the forward renderer */
+    bool bounded;  /* also with grouped far lights */
 } Series;
 
 static const Series series[] = {
@@ -58,10 +59,10 @@ static void show_row(const Series *of, int count)
 typedef struct {
     int count;
     BenchTimes times[BENCH_WAYS];
-    double apart; /* share of pixels; NAN: not compared */
+    double apart; /* share of different pixels; NAN: not compared */
 } Row;
 
-/* "": the series has no such column. */
+/* "" if the series lacks the column. */
 static const char *way_name(const Series *of, int way)
 {
     const char *const names[BENCH_WAYS] = {of->bounded ? "summed" : "deferred",
@@ -69,8 +70,8 @@ static const char *way_name(const Series *of, int way)
     return names[way];
 }
 
-/* Bound of differences, and share of pixels beyond: the default layout has an error of 1/255 at
- * some, light clustering half of that. */
+/* Tolerance, and allowed share of pixels outside of it: the default layout has an error of 1/255
+ * at some, light clustering half of that. */
 static const double bound = 2.0 / 255, pixels_beyond = .002;
 
 static const char *same_picture(double apart)
@@ -179,8 +180,7 @@ static bool measure(const Bench *bench, unsigned tables)
     return fine;
 }
 
-/* A picture that a CPU fills in the time that a GPU takes for one of 1080 rows; without times, as
- * small as will do. */
+/* A size that a CPU renders in about the time of a GPU with 1080 rows; minimal without times. */
 static void choose_size(Bench *bench)
 {
     static const int sizes[][2] = {{160, 90}, {480, 270}, {1920, 1080}};

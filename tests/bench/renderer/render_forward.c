@@ -1,14 +1,15 @@
-/* The G-buffer programs of matc, whose outputs become variables, with the renderer's own surface
- * model behind them. Their layout keeps every slot as the floats it was, so packing and unpacking
- * is nothing. A fragment program is
+/* The G-buffer programs of matc, with outputs turned into variables and followed by the
+ * renderer's own surface model. Their layout stores every slot as unchanged floats, so packing
+ * and unpacking cost nothing. A fragment program is
  *
- *     #version 450 core
- *     #define main surfaceMain
- *     ... what matc wrote; `uvec4 fragment0;` without the layout and `out` before it
- *     #undef main
- *     ... unpackTexels, surfaceLobe
- *     #define FORWARD_TEXELS fragment0, fragment1, fragment2
- *     ... main() below */
+ *   #version 450 core
+ *   #define main surfaceMain
+ *   ...                        matc's text; `uvec4 fragment0;` without its layout qualifier and
+ *   `out`
+ *   #undef main
+ *   ...                        unpackTexels, surfaceLobe
+ *   #define FORWARD_TEXELS fragment0, fragment1, fragment2
+ *   ...                        main() below */
 #include "render_forward.h"
 #include "runtime/gpu_scene/view_space.h"
 #include "runtime/gl/framebuffer.h"
@@ -73,12 +74,12 @@ struct Forward {
     Framebuffer target;
     ForwardBlock block;
     float *lights;       /* the block ForwardLights */
-    Material *materials; /* of the scene's */
-    Mesh *meshes;        /* of the objects: those before have what later ones lack */
+    Material *materials; /* for each material of the scene */
+    Mesh *meshes;        /* for each object; equal meshes are shared */
     int *mesh_of;
 };
 
-/* Outputs become variables: `layout(location = 0) out ` goes. */
+/* Turns outputs into variables by removing `layout(location = 0) out `. */
 static void make_variables(char *text)
 {
     static const char begin[] = "layout(location = ", out[] = " out ";
@@ -91,7 +92,7 @@ static void make_variables(char *text)
 
 static char *variables_of(const char *text)
 {
-    const char *body = strchr(text, '\n') + 1; /* behind its #version */
+    const char *body = strchr(text, '\n') + 1; /* text after the #version line */
     char *copy = malloc(strlen(body) + 1);
     if (copy)
         make_variables(strcpy(copy, body));
@@ -123,7 +124,7 @@ static bool is_alike(const SceneObject *a, const SceneObject *b)
     return a->kind == b->kind && !memcmp(a->numbers, b->numbers, sizeof a->numbers);
 }
 
-/* Solids of the same kind and numbers have one mesh; few are different. */
+/* Solids of the same kind and numbers share a mesh; few differ. */
 static bool make_mesh(Forward *f, int object)
 {
     const SceneObject *objects = f->scene->objects;
@@ -139,7 +140,7 @@ static bool make_mesh(Forward *f, int object)
     return fine;
 }
 
-/* Where it is, or, of a directional one, the direction to it, in the eye's space, w 1 or 0; its
+/* Position of a light, or the direction to a directional one, in eye space, with w 1 or 0; its
  * light. */
 static void put_light(const Forward *f, const SceneLight *light, float *to)
 {
@@ -180,7 +181,7 @@ static bool choose_layout(Forward *f)
     f->compile.layout = NULL;
     f->compile.pass = "gbuffer";
     f->compile.target = "glsl450";
-    f->compile.validate = false; /* the driver does */
+    f->compile.validate = false; /* the driver validates */
     f->layout = matc_layout_read("forward.yaml", layout_text, sizeof layout_text - 1, &f->compile);
     f->compile.custom = f->layout;
     return matc_layout_ok(f->layout) ||

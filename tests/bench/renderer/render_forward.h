@@ -1,6 +1,6 @@
-/* A plain forward renderer, for matbench render to compare with: a program for each material, which
- * lights in the fragment program; an object after the other, as the scene has them. Solids, points
- * and directional lights without shadows, ambient ones. OpenGL 4.5. */
+/* A plain forward renderer, as a baseline for matbench render: one program per material, which
+ * lights in the fragment program, and one draw per object in scene order. Supports opaque
+ * objects, point and directional lights without shadows, and ambient lights. OpenGL 4.5. */
 #ifndef RENDER_FORWARD_H
 #define RENDER_FORWARD_H
 #include "runtime/scene/scene.h"
@@ -13,11 +13,11 @@ typedef struct {
     int width, height;
 } ForwardSource;
 
-/* NULL: see gl->error. The scene stays until it is closed. */
+/* Returns NULL with gl->error. The scene must outlive it. */
 Forward *forward_open(GlContext *gl, const ForwardSource *source);
 void forward_draw(Forward *forward);
-/* Linear light, four floats a pixel, row 0 is the bottom row. */
+/* Linear light, four floats per pixel, row 0 is the bottom row. */
 bool forward_read(Forward *forward, float *rgba);
-/* NULL is nothing. */
+/* Accepts NULL. */
 void forward_close(Forward *forward);
 #endif

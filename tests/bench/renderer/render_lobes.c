@@ -1,7 +1,7 @@
-/* Cost of a point light by surface: nanoseconds a pixel and light, from 1 to 64 lights, and
- * relative to Phong's. Frames of all surfaces and numbers of lights are drawn in turns, and the
- * least of each counts. `plastic+` is plastic in a scene in which another material has a coat and
- * fuzz. */
+/* Cost of a point light by surface model: nanoseconds per pixel and light, from 1 to 64 lights,
+ * and relative to Phong. Frames of all surfaces and light counts are drawn alternately; the
+ * minimum of each counts. `plastic+` is plastic in a scene in which another material has a coat
+ * and fuzz. */
 #include <stdio.h>
 #include "render_passes.h"
 #include "tests/bench/matbench.h"
@@ -15,7 +15,7 @@ static const int counts[] = {1, 4, 16, 64};
 enum { COUNTS = sizeof counts / sizeof *counts };
 static const struct {
     const char *name, *material;
-    bool beside; /* another is in the scene, of all lobes, which nobody sees */
+    bool beside; /* the scene has an additional, invisible material with all lobes */
 } surfaces[] = {
     {"Phong", "material: Phong, diffuse: [.5, .4, .3], specular: .3, shininess: .7", false},
     {"plastic", "material: Principled, baseColor: [.5, .4, .3], roughness: '= .2 + .6 * u'", false},
@@ -43,7 +43,7 @@ enum { SURFACES = sizeof surfaces / sizeof *surfaces };
 
 typedef struct {
     BenchScene scenes[SURFACES][COUNTS];
-    double seconds[SURFACES][COUNTS]; /* of the pass light; NAN: not drawn */
+    double seconds[SURFACES][COUNTS]; /* seconds of the pass light; NAN: not drawn */
 } Lobes;
 
 static bool open_scenes(const Bench *bench, Lobes *made)
@@ -72,8 +72,8 @@ static double processor_seconds(void)
     return (double)time.tv_sec + (double)time.tv_nsec * 1e-9;
 }
 
-/* On a GPU the seconds of the pass light; otherwise processor time of all threads for a frame, on
- * which other programs have little effect. */
+/* On a GPU the seconds of the pass light; otherwise CPU time of all threads for a frame, hardly
+ * affected by other programs. */
 static double light_seconds(const Bench *bench, BenchScene *scene)
 {
     RendererPassTime times[RENDERER_PASSES_MAX];

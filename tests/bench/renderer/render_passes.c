@@ -1,4 +1,4 @@
-/* Cost of a frame's passes, bytes of a pixel, and cost of a transparent fragment. */
+/* Cost of a frame's passes, bytes per pixel, and cost of a transparent fragment. */
 #include <stdio.h>
 #include "render_passes.h"
 #include "tests/bench/matbench.h"
@@ -47,7 +47,7 @@ static bool measure_whole(const Bench *bench, const Whole *whole, WholeTimes *ti
     return fine;
 }
 
-/* "" where it does not run. */
+/* "" if the pass does not run. */
 static const char *pass_time(const Bench *bench, const RendererPassTime *pass,
                              char text[BENCH_NUMBER])
 {

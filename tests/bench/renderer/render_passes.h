@@ -1,4 +1,5 @@
-/* Tables of matbench render that are of passes. False: said on standard error. */
+/* Tables of matbench render about passes. A function returns false after it reported an error on
+ * standard error. */
 #ifndef RENDER_PASSES_H
 #define RENDER_PASSES_H
 #include "render_time.h"

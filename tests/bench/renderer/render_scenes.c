@@ -1,4 +1,5 @@
-/* Documents as text, the same on every machine: no number with a fraction goes through a locale. */
+/* Documents as text, identical on every machine: numbers with a fraction are never formatted by
+ * the locale. */
 #include "render_scenes.h"
 #include <math.h>
 #include <stdint.h>
@@ -77,8 +78,8 @@ void scenes_materials(Text *out, int count)
     }
 }
 
-/* The i-th of the numbers 0 to 1023, so that the first 2^k of them are spread evenly: its bits
- * backwards, those of column and row in turns. */
+/* The i-th of 1024 cells in an order whose first 2^k cells are spread evenly: a bit reversal
+ * with the bits of column and row interleaved. */
 static void cell_of(int i, int cell[2])
 {
     cell[0] = cell[1] = 0;
@@ -123,7 +124,7 @@ void scenes_lights(Text *out, int count)
     }
 }
 
-/* A place in a ball, as seen from its middle turned at random. */
+/* A leaf in a ball, at a random position and rotation. */
 static void put_leaf(Text *out, uint64_t *state, int number)
 {
     static const char *const kinds[] = {
@@ -201,7 +202,7 @@ void scenes_passes(Text *out, int panes)
 
 void scenes_panes(Text *out, int count)
 {
-    const int stride = 7; /* has no divisor in common with 10 or 40 */
+    const int stride = 7; /* coprime to 10 and 40 */
     text_put(out, from_above);
     text_put(out, "lights: [{ light: Point, position: [5, 5, 60], intensity: 2000, shadows: false "
                   "}]\nmaterials:\n"

@@ -19,7 +19,7 @@ static RendererOptions options_of(const Bench *bench, const RendererOptions *opt
     return with;
 }
 
-/* Opens it, and draws a first frame. */
+/* Opens a renderer, and draws a first frame. */
 static bool open_renderer(const Bench *bench, const RendererOptions *options, const Scene *scene,
                           Renderer **made)
 {
@@ -72,7 +72,7 @@ static bool draws(const BenchScene *scene, BenchWay way)
            (way == BENCH_WAY_bounded ? scene->bounded != NULL : scene->forward != NULL);
 }
 
-/* Seconds of a frame, of so many that are finished together. */
+/* Seconds per frame, for `frames` frames that are finished together. */
 static double draw(const Bench *bench, BenchScene *scene, BenchWay way, int frames)
 {
     const double start = bench_now();
@@ -85,7 +85,7 @@ static double draw(const Bench *bench, BenchScene *scene, BenchWay way, int fram
     return (bench_now() - start) / frames;
 }
 
-/* As many as take longer than it takes a GPU to tell that it has finished. */
+/* Enough frames to outlast a GPU's synchronization. */
 static int frames_of(const Bench *bench, BenchScene *scene, BenchWay way)
 {
     const double least = 5e-3, one = draw(bench, scene, way, 1);
@@ -94,7 +94,7 @@ static int frames_of(const Bench *bench, BenchScene *scene, BenchWay way)
 
 static BenchTimes times_of(double *seconds, int count)
 {
-    const double median = bench_median(seconds, count); /* sorts */
+    const double median = bench_median(seconds, count); /* bench_median sorts the list */
     return (BenchTimes){median, seconds[0]};
 }
 
@@ -147,7 +147,7 @@ static bool is_black(const float *rgba, int pixels)
     return lit == 0;
 }
 
-/* Pixels of two pictures that are apart, of so many. */
+/* Number of pixels that differ between two pictures. */
 static int count_apart(const float *a, const float *b, int pixels, double bound)
 {
     int apart = 0;

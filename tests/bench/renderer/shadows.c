@@ -1,6 +1,6 @@
-/* matbench shadows: every way in which a light casts shadows, by how far their ends are from where
- * they should be, and by what a frame takes. What should be is what exact shadows are, which tests
- * compare with rays of Embree: so it runs where there is none. */
+/* matbench shadows: every shadow technique of a light, by the error of its shadow boundaries and
+ * by frame time. Exact shadows are the reference here, which tests compare with Embree's rays;
+ * so the benchmark runs without Embree. */
 #include "tests/bench/matbench.h"
 #include "shadows.h"
 #include "shadows_error.h"
@@ -63,7 +63,7 @@ static bool measure_errors(const Shadows *s)
 
 /* -- times */
 
-/* Time of shadows alone: that of a frame less that of one without them. */
+/* Time of shadows alone: that of a frame minus that of one without shadows. */
 static void put_times(const Shadows *s, const ShadowsTime times[SHADOWS_METHODS_MAX])
 {
     const ShadowsTime none = times[0], pcf = times[s->pcf];
@@ -145,7 +145,7 @@ static bool open_mesh(const BenchOptions *options, Shape *made)
     return fine;
 }
 
-/* None, PCF, and those that a light's `shadows:` calls so. */
+/* Keeps none, PCF, and the methods with that name in a light's `shadows:`. */
 static bool keep_only(const char *name, Shadows *s)
 {
     int count = 0, pcf = 0;

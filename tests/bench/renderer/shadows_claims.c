@@ -1,5 +1,6 @@
-/* The thesis' claims of quality, in numbers: how a small map's volume compares with large maps, how
- * many quads have the right diagonal by chance, and how early a blurred volume starts. */
+/* The thesis' claims of quality, in numbers: the error of a small map's shadow volume next to
+ * large maps, the share of quads whose diagonal is right by chance, and how early a blurred
+ * volume begins. */
 #include "tests/bench/matbench.h"
 #include "runtime/scene_reader/scene_read.h"
 #include "shadows.h"
@@ -57,7 +58,7 @@ static bool measure_ends(const Shadows *s)
 
 /* -- maps */
 
-/* A map of a scene, row 0 at the bottom, from malloc; NULL: said. */
+/* A shadow map of a scene, row 0 at the bottom, from malloc; NULL after a message. */
 static float *read_map(const Shadows *s, Scene *scene, const ShadowsMethod *method, int size)
 {
     const RendererOptions options = {
@@ -74,18 +75,19 @@ static float *read_map(const Shadows *s, Scene *scene, const ShadowsMethod *meth
     return fprintf(stderr, "matbench: %s\n", s->gl->error), NULL;
 }
 
-/* Quads with one corner beyond what casts shadows: half of it is kept if the diagonal does not
- * touch that corner, else nothing. */
+/* Quads with one corner that is not covered by casters: half of a quad is kept if the diagonal
+ * does not touch that corner, else nothing. */
 typedef struct {
     int ends, single, fixed,
-        /* with corners of both kinds; one beyond; right by the fixed diagonal, by the turned one */
+        /* with corners of both kinds; with one uncovered; right by the fixed diagonal, by the
+         * flipped one */
         turned;
 } Quads;
 
 static double square(double x) { return x * x; }
 
-/* Corners a, b, c, d from the lower left around; the fixed diagonal is a-c, the turned one what
- * volumeTurned() of shadow_volume.glsl says. */
+/* Corners a, b, c, d counterclockwise from the lower left; the fixed diagonal is a-c, the
+ * flipped one follows volumeTurned() of shadow_volume.glsl. */
 static void count_quad(const double z[4], Quads *count)
 {
     int beyond = 0, which = 0;
@@ -131,8 +133,7 @@ static bool measure_quads(const Shadows *s)
 
 /* -- early starts */
 
-/* A box over a larger one, in light from above: means of depths beside the upper box lie between
- * both. */
+/* A box over a larger one, lit from above: next to the upper box, mean depths lie between both. */
 static const char boxes[] =
     "image: { width: 16, height: 16 }\nmaterials: { m: { material: Phong, diffuse: .8 } }\n"
     "lights: [{ light: Directional }]\nobjects:\n"

@@ -1,4 +1,4 @@
-/* Two pictures of the same points, and what tests/frame_reference/boundary.h makes of them. */
+/* Two pictures of the same points, compared by tests/frame_reference/boundary.h. */
 #include "shadows_error.h"
 #include "runtime/shadow/shadow_state.h"
 #include "runtime/frame_graph/frame.h"
@@ -17,8 +17,8 @@ const ShadowsMethod shadows_truth = {
 static const ShadowsMethod usual = {
     {"map", "default"}, KEYWORD_Shadows_map, 1, KEYWORD_Volume_perfect, false, KEYWORD_Path_auto};
 
-/* A view of the scene, four floats a pixel, from malloc; NULL: said. What the light sees first goes
- * to *view, or NULL. */
+/* Draws a view of the scene, four floats per pixel, from malloc; NULL after a message. The
+ * light's first shadow view goes to *view, if not NULL. */
 static float *draw(const ShadowsPicture *p, const char *view, const ShadowsMethod *method,
                    ShadowView *seen)
 {
@@ -50,7 +50,7 @@ static float *draw_component(const ShadowsPicture *p, const ShadowsMethod *metho
     return components;
 }
 
-/* The share of the light that arrives; NULL: said. */
+/* The share of the light that arrives; NULL after a message. */
 static float *draw_shares(const ShadowsPicture *p, const ShadowsMethod *method)
 {
     float *shares = draw_component(p, method);
@@ -93,7 +93,7 @@ static bool place_pixels(ShadowsPicture *p)
 
 static Boundary boundary_of(const ShadowsPicture *p)
 {
-    const double apart = 8; /* texels: beyond that, the pixel beside sees another surface */
+    const double apart = 8; /* in texels: a more distant neighbor pixel shows another surface */
     return (Boundary){p->target.edge, (const double(*)[2])p->places, p->light, p->truth, apart};
 }
 
@@ -101,7 +101,7 @@ bool shadows_picture_error(const ShadowsPicture *p, const ShadowsMethod *method,
                            ShadowsError *error)
 {
     const Boundary boundary = boundary_of(p);
-    ShadowsPicture other = *p; /* of another map; places stay in texels of this one */
+    ShadowsPicture other = *p; /* with another map size; positions stay in texels of this one */
     other.target.map_size = map_size;
     float *shares = draw_shares(&other, method);
     if (!shares)

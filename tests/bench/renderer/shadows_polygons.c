@@ -1,5 +1,5 @@
-/* Paths of data by sizes of maps, and what the thesis measures: frames a second by polygons, of
- * which all is drawn anew for each frame. */
+/* Data paths by shadow map size, and the thesis' measurement: frames per second by number of
+ * polygons, with every map redrawn in each frame. */
 #include "shadows.h"
 #include "tests/bench/matbench.h"
 #include "runtime/autotune/plot.h"
@@ -27,7 +27,7 @@ enum {
     METHODS = FIRST_VOLUME + PATHS * VOLUMES
 };
 
-/* None, a map that is looked up once, each volume by each path. */
+/* None, a single lookup of a map, and each volume by each data path. */
 static void list_methods(ShadowsMethod methods[METHODS])
 {
     methods[NONE] = (ShadowsMethod){
@@ -114,7 +114,7 @@ static void put_rates(const double rates[ROWS][METHODS], int map_size)
     fflush(stdout);
 }
 
-/* The best of the paths. */
+/* The fastest of the paths. */
 static double best(const double rates[METHODS], int volume)
 {
     double most = 0;
@@ -144,7 +144,7 @@ static int method_of(int column)
     return column < FIRST_VOLUME ? column : FIRST_VOLUME + PATHS * volume + path;
 }
 
-/* Prints frames a second, or their ratio to frames without shadows of the same row and side. */
+/* Prints frames per second, or their ratio to frames without shadows of the same row and side. */
 static void put_compared(const double rates[METHODS], int row, bool over_none)
 {
     printf("%-8d", polygons[row]);
@@ -192,7 +192,7 @@ bool shadows_table1(const Shadows *s)
     return true;
 }
 
-enum { LINES = 2 + VOLUMES }; /* of a chart: none, map, volumes */
+enum { LINES = 2 + VOLUMES }; /* lines of a chart: none, map, volumes */
 
 static double rate_of(const double rates[METHODS], int line)
 {

@@ -1,4 +1,4 @@
-/* Documents with balls where the casters stand, which become the mesh. */
+/* Documents with balls at the places of the casters; the balls are then replaced by the mesh. */
 #include "runtime/scene_reader/scene_read.h"
 #include "shadows_scene.h"
 #include <math.h>
@@ -81,8 +81,8 @@ void shadows_use(Scene *scene, const ShadowsMethod *method, int map_size)
 
 /* -- the mesh */
 
-/* r = 0.8 + f, f = 0.15 sin 6x sin 6y sin 6z of the direction (x, y, z); the normal goes with r
- * times it, less the gradient of f along the ball. */
+/* r = 0.8 + f, f = 0.15 sin 6x sin 6y sin 6z of the direction (x, y, z); the normal is parallel
+ * to r times the direction minus the tangential gradient of f. */
 static void bump(ShapeVertex *vertex)
 {
     const double high = .15, often = 6;
@@ -118,8 +118,8 @@ bool shadows_ball(int triangles, Shape *made)
 
 /* -- documents */
 
-/* Light goes along (0.6, 0.25, -1) / 1.193; the camera looks along it, or, at the caster itself, 40
- * degrees beside it. */
+/* The light's direction is (0.6, 0.25, -1) / 1.193; the camera looks along it, or, for the
+ * caster itself, 40 degrees away from it. */
 #define HEAD                                                                                       \
     "image: { width: 512, height: 512 }\nmaterials: { m: { material: Phong, diffuse: .8 } }\n"     \
     "lights: [{ light: Directional, direction: [.6, .25, -1] }]\n"
@@ -177,7 +177,7 @@ bool shadows_open(ShadowsScene which, const Shape *mesh, const MatcOptions *comp
 void shadows_close(ShadowsPlace *place)
 {
     if (place->scene)
-        place->scene->mesh_count = 0; /* it is not the scene's */
+        place->scene->mesh_count = 0; /* the mesh does not belong to the scene */
     scene_free(place->scene);
     matc_document_free(place->document);
     *place = (ShadowsPlace){0};

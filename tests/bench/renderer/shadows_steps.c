@@ -1,5 +1,5 @@
-/* Steps of a moving light: pixels that turn from lit to dark and back, or the other way round, and
- * should not (tests/frame/flicker.h). */
+/* Steps of a moving light: counts pixels that wrongly change from lit to dark and back, or from
+ * dark to lit and back (tests/frame/flicker.h). */
 #include "shadows.h"
 #include "shadows_error.h"
 #include "tests/bench/matbench.h"
@@ -9,9 +9,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { STEPS = 24 /* of half a degree around the vertical */, EDGE = 128 };
+enum { STEPS = 24 /* steps of half a degree around the vertical */, EDGE = 128 };
 
-/* A renderer with shadows and one without, and what they draw. */
+/* A renderer with shadows and one without, and their pictures. */
 typedef struct {
     Scene *scene;
     Renderer *renders[2];
@@ -60,8 +60,8 @@ static void turn(double direction[3])
     direction[1] = sin(angle) * x + cos(angle) * y;
 }
 
-/* Every pixel of a scene by one method; the light is where it was afterwards. False: said on
- * standard error; *made is empty then. */
+/* Records every pixel of a scene by one method, and restores the light. Returns false after a
+ * message on standard error; *made is empty then. */
 static bool walk(const ShadowsTarget *target, const ShadowsPlace *place,
                  const ShadowsMethod *method, Flicker *made)
 {
@@ -86,7 +86,7 @@ static bool walk(const ShadowsTarget *target, const ShadowsPlace *place,
     return fine;
 }
 
-/* Counts for each method, beside exact shadows. */
+/* Counts flickers for each method, compared with exact shadows. */
 static bool count(const Shadows *s, ShadowsScene which, long flickers[SHADOWS_METHODS_MAX],
                   long *turns)
 {

@@ -1,5 +1,5 @@
-/* Frames by several methods in turns, each by a renderer and a scene of its own, as a scene's light
- * has one method. */
+/* Frames by several methods, drawn alternately. Each method has its own renderer and scene,
+ * because a scene's light has one method. */
 #include "shadows.h"
 #include "tests/bench/matbench.h"
 #include <math.h>
@@ -27,7 +27,7 @@ static bool open_timed(const Shadows *s, const ShadowsTiming *timing, int method
            fprintf(stderr, "matbench: %s\n", s->gl->error) < 0;
 }
 
-/* Seconds of a frame, of so many that are finished together. */
+/* Seconds per frame, for `frames` frames that are finished together. */
 static double draw(const Shadows *s, Timed *timed, bool moving, int frames)
 {
     SceneLight *light = timed->place.scene->lights;
@@ -42,7 +42,7 @@ static double draw(const Shadows *s, Timed *timed, bool moving, int frames)
     return (bench_now() - start) / frames;
 }
 
-/* As many as take longer than it takes a GPU to tell that it has finished; an even number. */
+/* Enough frames to outlast a GPU's synchronization; an even number. */
 static int frames_of(const Shadows *s, Timed *timed, bool moving)
 {
     const double least = 5e-3, one = draw(s, timed, moving, 2);

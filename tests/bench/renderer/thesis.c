@@ -34,7 +34,7 @@ typedef struct {
 
 /* -- frames */
 
-/* Moves every object from index `first` on to and fro. */
+/* Moves every object from index `first` on back and forth. */
 static bool move_objects(BenchScene *scene, int first, int frame)
 {
     Scene *of = scene->scene;

@@ -1,4 +1,4 @@
-/* Generated documents in place of scenes of the thesis. Scatter places their copies, so they are
+/* Generated documents in place of the thesis' scenes. Scatter places their copies, so they are
  * equal on every machine. */
 #include <stdio.h>
 #include "thesis.h"

@@ -1,6 +1,6 @@
-// Simplex noise as most shaders on the web have it: McEwan, Sheets, Gustavson, Richardson,
-// "Efficient computational noise in GLSL" (2012). Corners are hashed by the permutation polynomial
-// (34 x + 1) x mod 289, gradients are 7 x 7 points of an octahedron.
+// Simplex noise as in most shaders on the web: McEwan, Sheets, Gustavson, Richardson, "Efficient
+// computational noise in GLSL" (2012). Corners are hashed by the permutation polynomial (34 x + 1)
+// x mod 289; gradients are 7 x 7 points of an octahedron.
 vec3 residue(vec3 x) { return x - 289.0 * floor(x * (1.0 / 289.0)); }
 vec4 residue(vec4 x) { return x - 289.0 * floor(x * (1.0 / 289.0)); }
 vec4 permuted(vec4 x) { return residue((34.0 * x + 1.0) * x); }

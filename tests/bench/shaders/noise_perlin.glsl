@@ -1,6 +1,6 @@
-// Gradient noise as MaterialX and three.js have it (three.js' is translated from MaterialX'): the
-// lattice noise of Perlin, "Improving noise" (2002), with its twelve gradients and its fade of
-// degree five, over the final mixing of Jenkins' lookup3 (2006).
+// Gradient noise as in MaterialX and three.js (three.js translates MaterialX): the lattice noise of
+// Perlin, "Improving noise" (2002), with its twelve gradients and quintic fade, hashed by the final
+// mix of Jenkins' lookup3 (2006).
 uint rotated(uint x, int by) { return x << by | x >> (32 - by); }
 uint cornerHash(uvec3 at) {
     uint a = 0xDEADBEEFu + 12u + 13u + at.x;

@@ -1,4 +1,5 @@
-/* Time grows as the document does: every row of growth/growth.def, at n and at 8 n parts. */
+/* Compile time grows linearly with the document: every row of growth/growth.def, at n and at 8 n
+ * parts. */
 /* ctest: small-pages seconds=20 */
 #include "tests/test.h"
 #include "compiler/base/arena.h"

@@ -1,5 +1,5 @@
-/* The hash table: against a search through all that was added, with few hashes, many, and all
- * alike. */
+/* The hash table against a linear search through all entries, with few distinct hashes, many,
+ * and all hashes equal. */
 #include "tests/test.h"
 #include "compiler/base/hash_index.h"
 #include <unistd.h>

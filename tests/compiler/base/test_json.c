@@ -1,5 +1,5 @@
-/* Strict JSON: what is refused, and at which byte; what is accepted, and as which values. cJSON
- * gives a second opinion of every text. The whole of JSONTestSuite is in suites/. */
+/* Strict JSON: which texts are refused, and at which byte; which are accepted, and with which
+ * values. cJSON parses every text as a second opinion. The whole of JSONTestSuite is in suites/. */
 /* ctest: quick */
 #include "tests/test.h"
 #include "tests/read_text.h"

@@ -1,5 +1,5 @@
-/* Strings of JSON: whatever the bytes are, cJSON reads what was meant, and no control character is
- * left. */
+/* Strings of JSON: for any bytes, cJSON reads back the intended text, and no control character
+ * is left unescaped. */
 /* ctest: quick */
 #include "tests/test.h"
 #include "compiler/base/json_write.h"

@@ -1,5 +1,5 @@
-/* A process that keeps its pages takes none anew for what it compiles again. Pages are counted by
- * the system, not timed. */
+/* A process that keeps its memory pages requests no new pages when it compiles the same
+ * documents a second time. Pages are counted by the system, not timed. */
 /* ctest: small-pages */
 #include "tests/test.h"
 #include "compiler/base/arena.h"

@@ -1,6 +1,6 @@
-/* matc reads and writes the same in every locale: compares all messages on documents, layouts and
- * words in C and in a locale that writes 1,5 and takes bytes above ASCII for letters, set for the
- * process or for a thread. */
+/* matc reads and writes the same in every locale. Compares all messages about documents, layouts
+ * and keywords in the C locale and in a locale with decimal commas whose letters include bytes
+ * above ASCII, set for the process or for a thread. */
 #include "tests/test.h"
 #include "compiler/base/file.h"
 #include "compiler/matc.h"

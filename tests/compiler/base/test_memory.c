@@ -1,5 +1,5 @@
-/* Memory that documents take: matc reads some of every kind, and its greatest resident size, less
- * that for a document of one line, is held against a multiple of the text's size
+/* Memory use: matc reads documents of every kind. Its peak resident size, less that for a
+ * document of one line, is bounded by a multiple of the text's size
  * (docs/reference/stability.md, Memory). */
 /* ctest: unsanitized small-pages seconds=15 */
 #include "tests/test.h"

@@ -1,5 +1,6 @@
-/* Names, strings and keys, each once and numbered as they came (names.c, sets.c): many more than a
- * first table holds, every one is found again under its number, and nothing else is. */
+/* Interned names, strings and keys, numbered in order of insertion (names.c, sets.c): with many
+ * more than the first table holds, every entry is found under its number, and no absent entry is
+ * found. */
 /* ctest: quick */
 #include "tests/test.h"
 #include "compiler/base/names.h"

@@ -1,5 +1,5 @@
-/* Threads of 256 KiB: whatever is nested to its limit compiles, evaluates and is printed on one
- * (docs/reference/stability.md, Stack). */
+/* Threads with stacks of 256 KiB: documents nested to every limit compile, evaluate and print on
+ * one (docs/reference/stability.md, Stack). */
 /* ctest: unsanitized small-pages seconds=18 */
 #include "tests/test.h"
 #include "compiler/base/session.h"

@@ -1,5 +1,5 @@
-/* Texts: numbers are the shortest decimals that read back, and are read to nearest; formats of any
- * length fit. */
+/* Texts: numbers are written as the shortest decimals that read back, and are read to nearest;
+ * formatted text may have any length. */
 #include "tests/test.h"
 #include "compiler/base/text.h"
 #include <float.h>

@@ -1,8 +1,8 @@
-/* Which rows of the tables stand in what proves them, so that a new row without a proof fails:
- * maps, materials and their parameters, functions and values of formulas, definitions that come
- * with matc. What an example has is drawn and compared by test_value, differentiated by test_slope
- * and kept as a golden; test_tables tries every parameter, test_explain draws every example of
- * --explain, test_expression and test_formula have every function. */
+/* Coverage audit: which table rows occur in the tests that prove them, so that a new row without
+ * a proof fails: maps, materials and their parameters, functions and values of formulas, library
+ * definitions. Content of the examples is drawn and compared by test_value, differentiated by
+ * test_slope and stored as goldens; test_tables tries every parameter, test_explain draws every
+ * example of --explain, test_expression and test_formula cover every function. */
 #include "tests/test.h"
 #include "compiler/base/file.h"
 #include "compiler/document.h"

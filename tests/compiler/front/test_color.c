@@ -1,6 +1,5 @@
-/* Colours of documents: what `colors:`, srgb() and linear() make of bytes and names, against values
- * of IEC 61966-2-1 as they are published, and whose file's meaning counts where files are
- * included. */
+/* Colors of documents: results of `colors:`, srgb() and linear() for bytes and names, against
+ * published values of IEC 61966-2-1, and which file's `colors:` applies to included files. */
 #include "tests/test.h"
 #include "compiler/document.h"
 #include "compiler/graph/graph.h"
@@ -115,7 +114,7 @@ static const struct {
      "0.50196078431372548]",
      LINEAR_128},
     {"colors: srgb\nmaterial: Phong\nemissive: 0.50196078431372548", LINEAR_128},
-    /* one colour */
+    /* one color */
     {"material: Phong\nemissive: 'srgb(#808080)'", SRGB_128},
     {"material: Phong\nemissive: srgb(gray)", SRGB_128},
     {"material: Phong\nemissive: srgb(orange)", SRGB_ORANGE},
@@ -123,7 +122,7 @@ static const struct {
     {"colors: srgb\nmaterial: Phong\nemissive: srgb(#808080)", SRGB_128},
     {"colors: srgb\nmaterial: Phong\nemissive: 'linear(#808080)'", LINEAR_128},
     {"material: Phong\nemissive: linear(gray)", LINEAR_128},
-    /* wherever a colour may stand */
+    /* wherever a color may stand */
     {"colors: srgb\nmaterial: Phong\nemissive: { param: glow, default: '#808080' }", SRGB_128},
     {"colors: srgb\nmaterial: Phong\nemissive: { map: Checker, color1: gray, color2: '#808080' }",
      SRGB_128},
@@ -192,7 +191,7 @@ static void a_picture_is_srgb_where_it_feeds_a_colour(void **state)
         {"colors: srgb\nmaterial: Phong\nshininess: " P, "shininess", SHARP},
         {"colors: srgb\nmaterial: Phong\nemissive: " MIX("1", P), "emissive", LINEAR},
         {"colors: srgb\nmaterial: Phong\nemissive: " OVER("Gradient"), "emissive", LINEAR},
-        /* what passes a colour on */
+        /* what passes a color on */
         {"colors: srgb\nmaterial: Phong\nemissive: " OVER("UVTransform"), "emissive", SRGB},
         {"colors: srgb\nmaterial: Phong\nemissive: " OVER("XYZTransform"), "emissive", SRGB},
         {"colors: srgb\nmaterial: Phong\nemissive: " OVER("Turbulence"), "emissive", SRGB},
@@ -238,7 +237,7 @@ static void a_picture_is_srgb_where_it_feeds_a_colour(void **state)
     }
 }
 
-/* Whether the publisher of a surface model calls its parameter a colour; Phong's are those of
+/* Whether the publisher of a surface model calls its parameter a color; Phong's are those of
  * GroIMP, which has no numbers but exponents. */
 static bool is_a_colour(Kind material, const char *param)
 {
@@ -297,7 +296,7 @@ static void pictures_of_param(const ParamRow *param, int counts[2])
 }
 
 /* Every parameter of every surface model, also of those that become a Principled by formulas in
- * which colours and numbers meet. */
+ * which colors and numbers meet. */
 static void colours_alone_have_srgb_pictures(void **state)
 {
     (void)state;

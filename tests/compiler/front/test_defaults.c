@@ -1,6 +1,6 @@
 /* Defaults of documents: every parameter, the presets, the named colors, and the rows of
- * --precision, each written down here from semantics.md and the published palettes, and not from
- * the tables. */
+ * --precision, each written down here from semantics.md and the published palettes, not from the
+ * tables. */
 /* ctest: quick */
 #include "tests/test.h"
 #include "compiler/document.h"
@@ -136,7 +136,7 @@ static void test_presets(void **state)
     matc_document_free(lone.document);
 }
 
-/* The constants of java.awt.Color, and the sixteen colours of EGA, by their bytes. */
+/* The constants of java.awt.Color, and the sixteen colors of EGA, by their bytes. */
 static const struct {
     const char *name;
     uint32_t rgb;

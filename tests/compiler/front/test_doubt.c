@@ -1,5 +1,5 @@
-/* The MOVES lines of maps.def against the oracle: a transformer changes these coordinates and no
- * others. */
+/* The MOVES lines of maps.def against the oracle: a transformer changes exactly the coordinates
+ * of its line. */
 #include "tests/test.h"
 #include "compiler/matc.h"
 #include "grammar/tables.h"

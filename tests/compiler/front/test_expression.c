@@ -1,12 +1,12 @@
-/* Formulas against an evaluator that shares nothing with matc: random trees are written as text,
- * with no more brackets than the precedence of operators wants, and computed here from the
- * mathematics in long double. The oracle, and the IR at -O0 and -O2, must give the same.
+/* Formulas against an independent evaluator. Random trees are written as text, with no more
+ * brackets than operator precedence needs, and computed here in long double by their
+ * mathematical definition. The oracle, and the IR at -O0 and -O2, must agree.
  *
- *     tree  multiply(add(u, 1.25), sin(v))      text  (u + 1.25) * sin(v)
+ *   tree  multiply(add(u, 1.25), sin(v))      text  (u + 1.25) * sin(v)
  *
- * How exact a value can be is measured: the tree is computed once more with every node off by a few
- * roundings. Where it jumps between both, or loses all digits, nothing can be said, and few are
- * left out so. */
+ * The attainable accuracy is measured: the tree is also computed with every node off by a few
+ * roundings. A value that jumps between both results, or loses all digits, is skipped; the test
+ * bounds the number of skipped values. */
 #include "tests/test.h"
 #include "tests/sanitized.h"
 #include "tests/value/documents.h"

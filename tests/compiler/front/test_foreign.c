@@ -1,5 +1,5 @@
-/* Every row of foreign.def, written in a document where an author of another tool would write it:
- * the first line of a message says what it is here, and so does --explain. */
+/* Every row of foreign.def, written in a document as an author of another tool would: the first
+ * line of the message, and --explain, give the name used here. */
 #include "tests/test.h"
 #include "compiler/matc.h"
 #include "grammar/foreign_table.h"

@@ -1,5 +1,5 @@
-/* Formulas: the grammar, widths, places of faults, totality; every example of expression.def. Their
- * values are held against the oracle by test_expression.c, which has an evaluator of its own. */
+/* Formulas: the grammar, widths, error positions, totality; every example of expression.def.
+ * Their values are compared with the oracle by test_expression.c, which has its own evaluator. */
 #include "tests/test.h"
 #include "compiler/formula/formula.h"
 #include "compiler/library/reference.h"

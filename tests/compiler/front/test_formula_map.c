@@ -1,4 +1,4 @@
-/* A map read by its name in a formula has all of its components, with the map's values. */
+/* A map that a formula reads by name has all of its components, with the map's values. */
 #include "tests/slot_values.h"
 #include "grammar/tables.h"
 

@@ -1,6 +1,6 @@
-/* Formulas that are made to break something, by kind: each ends in a program, or in errors of which
- * each has its place within the document. Texts of one kind nest, repeat, grow, hide built-in
- * words, or are of odd characters; the last are pieces of formulas in a random order. */
+/* Hostile formulas, by kind: each compiles, or gives errors whose places are within the
+ * document. The kinds nest, repeat, grow, hide built-in names, or contain odd characters; the
+ * last kind shuffles pieces of formulas. */
 #include "tests/test.h"
 #include "tests/sanitized.h"
 #include "tests/compile_text.h"

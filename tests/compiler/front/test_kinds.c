@@ -1,5 +1,5 @@
-/* Every parameter of every map and material with values of every kind: what it is not for is an
- * error, and its place is the value's. */
+/* Every parameter of every map and material with values of every kind: a value of an unsuitable
+ * kind is an error at the value's place. */
 #include "tests/test.h"
 #include "compiler/matc.h"
 #include "grammar/tables.h"
@@ -18,11 +18,11 @@ typedef enum {
     SORT_truth,
     SORT_nothing,
     SORT_object,
-    SORT_gray,    /* a colour of equal components */
-    SORT_color,   /* a literal colour of unequal components */
+    SORT_gray,    /* a color of equal components */
+    SORT_color,   /* a literal color of unequal components */
     SORT_name,    /* the same by its name, which is none of a formula */
-    SORT_defined, /* a definition of such a colour */
-    SORT_blend,   /* a map of such colours */
+    SORT_defined, /* a definition of such a color */
+    SORT_blend,   /* a map of such colors */
 } Sort;
 static const struct {
     Sort sort;
@@ -50,7 +50,7 @@ static const struct {
               {SORT_blend, "{ map: Blend, input: { map: Granite }, blend: [{ input: red }] }"}};
 enum { VALUES = sizeof values / sizeof *values, LONGEST_DOCUMENT = 400, VALUE_LINE = 4 };
 
-/* A colour in its several forms. */
+/* A color in its several forms. */
 static bool suits_color(const ParamRow *row, Sort sort)
 {
     switch (row->type) {

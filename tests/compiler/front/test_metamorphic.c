@@ -1,6 +1,6 @@
-/* Documents that are written differently and mean the same: random maps in both, compared as IR in
- * double, as written and optimised, at hostile points. Where the optimiser is to see that they are
- * one, it leaves as many nodes of as much cost. */
+/* Metamorphic test: pairs of documents with different text and equal meaning, built of random
+ * maps. Both are compared as IR in double, as written and optimized, at hostile points. If the
+ * optimizer should recognize the equality, both must have equal node counts and costs. */
 #include "tests/test.h"
 #include "tests/stress/generate.h"
 #include "tests/stress/spread.h"
@@ -14,7 +14,7 @@ enum { TREES = 150, POINTS = 24, TREE_SIZE = 6, LONGEST = 1 << 16 };
 static const double bits = 0, roundings = 1e-14, sums = 1e-11;
 typedef struct {
     double bound;
-    bool one; /* the optimised IR has the same nodes */
+    bool one; /* the optimized IR has the same nodes */
 } Same;
 
 typedef struct {
@@ -164,7 +164,7 @@ static void try_rule(const Rule *rule, uint64_t seed)
 #define NORMAL(map) "material: Phong\ninput: " map "\n"
 
 static const Rule rules[] = {
-    /* Blend(a, a, t) = a; mix(a, a, t) rounds unless it is optimised. */
+    /* Blend(a, a, t) = a; mix(a, a, t) rounds unless it is optimized. */
     {PHONG("%a"),
      PHONG("{ map: Blend, blend: [{ value: -1, input: %a }, { value: 1, input: %a }], input: %b }"),
      SLOT_emissive,
@@ -231,7 +231,7 @@ static const Rule rules[] = {
            "{ map: XYZTransform, transform: { scale: [2, 1, 1], shear: [0.25, 0, 0] } } } }"),
      SLOT_emissive,
      {1e-8, false}},
-    /* Colours that change places, and a pattern that moves by a cell. */
+    /* Colors that change places, and a pattern that moves by a cell. */
     {PHONG("{ map: Checker, color1: %a, color2: %b }"),
      PHONG("{ map: Checker, color1: %b, color2: %a, input: { map: UVTransform, offsetU: 0.5 } }"),
      SLOT_emissive,

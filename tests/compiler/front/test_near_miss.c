@@ -1,5 +1,5 @@
-/* Pairs of inputs from tests/near_misses.def: one causes a message, the other nearly does and must
- * cause no message at all. A message without a row fails. */
+/* Pairs of inputs from tests/near_misses.def: one causes a message, the other nearly does and
+ * must cause no message at all. A message without a row fails. */
 #include "runtime/scene_reader/scene_read.h"
 #include "tests/test.h"
 #include "compiler/base/diag.h"

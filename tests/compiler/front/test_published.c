@@ -1,5 +1,5 @@
-/* MaterialX's noise and cells beside what its shader prints; Standard Surface's edge colour beside
- * OpenPBR's tint. */
+/* MaterialX's noise and cells against values printed by its shader; Standard Surface's edge
+ * color against OpenPBR's tint. */
 #include "tests/slot_values.h"
 
 /* -- MaterialX's noise3d, noise2d and fractal3d of four octaves, printed by its GLSL
@@ -114,7 +114,7 @@ static void cells_are_those_of_materialx(void **state)
     assert_true(worst <= 2e-6);
 }
 
-/* -- Standard Surface's edge colour of metal (Gulbrandsen 2014) beside OpenPBR's tint at 82
+/* -- Standard Surface's edge color of metal (Gulbrandsen 2014) beside OpenPBR's tint at 82
  * degrees */
 
 static double by_index(double cosine, double n, double k2)

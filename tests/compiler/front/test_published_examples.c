@@ -1,9 +1,10 @@
-/* MaterialX's example materials as documents (tests/published), beside what their published numbers
- * and graphs say, which are written here once more, in double: base colour, metalness, roughness
- * and the normal, within 1e-3, and of most what else is theirs. Facts alone are MaterialX's (Apache
- * 2.0, resources/Materials/Examples). Left out: what has closures of its own (hair), a node that is
- * none of matc's (blackbody, hextiledimage), no material of its own (looks, shader balls put
- * together), or another of these by other pictures (antique camera, the other chessmen). */
+/* MaterialX's example materials as documents (tests/published), against their published numbers
+ * and graphs, which are reimplemented here in double: base color, metalness, roughness and the
+ * normal, within 1e-3, and for most also their other parameters. Only facts are taken from
+ * MaterialX (Apache 2.0, resources/Materials/Examples). Left out: materials with closures of
+ * their own (hair), with nodes that matc lacks (blackbody, hextiledimage), looks and assembled
+ * shader balls, which are no materials, and duplicates with other pictures (antique camera, the
+ * other chessmen). */
 #include "tests/slot_values.h"
 #include "compiler/base/file.h"
 
@@ -115,7 +116,7 @@ static void usd_brass(const Place *at, Published *m)
 
 static void chess_king(const Place *at, Published *m)
 {
-    set(m->base, at->color); /* scattered light has the same colour */
+    set(m->base, at->color); /* scattered light has the same color */
     m->metal = at->raw[1];
     m->rough = at->raw[2];
     set_normal(at, m);
@@ -298,7 +299,7 @@ static void examples_are_what_they_publish(void **state)
     }
 }
 
-/* The marble's colours, printed by its own graph over its own noise. */
+/* The marble's colors, printed by its own graph over its own noise. */
 static void marble_is_what_it_prints(void **state)
 {
     (void)state;

@@ -1,6 +1,6 @@
-/* Names that GLSL keeps for itself, as the specifications of all targets list them. A param of such
- * a name is refused for every target, so that a document goes from one to another; materials and
- * definitions are called what they like. */
+/* Reserved names of GLSL, as listed by the specifications of all targets. A param with a
+ * reserved name is refused for every target, so that a document works for all of them; materials
+ * and definitions may have any name. */
 /* ctest: seconds=15 */
 #include "tests/test.h"
 #include "compiler/base/file.h"

@@ -1,5 +1,5 @@
-/* The definitions that come with matc: each says what it is, compiles for old and new targets with
- * its defaults, and is a number within reason everywhere. */
+/* The definitions of matc's library: each has a description, compiles for old and new targets
+ * with its defaults, and gives finite values of moderate size everywhere. */
 #include "tests/test.h"
 #include "compiler/document.h"
 #include "grammar/library_table.h"

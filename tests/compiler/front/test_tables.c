@@ -1,6 +1,6 @@
-/* The tables of grammar/: their rows are sound, and every parameter of every kind is tried at its
- * default, at both ends of its range, beyond them, and with a value of another type. Adding a row
- * adds its cases. */
+/* The tables of grammar/: their rows are consistent, and every parameter of every kind is tried
+ * at its default, at both ends of its range, outside the range, and with a value of another
+ * type. A new row adds its own cases. */
 /* ctest: quick */
 #include "tests/test.h"
 #include "grammar/foreign_table.h"

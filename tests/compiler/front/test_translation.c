@@ -1,6 +1,7 @@
-/* Materials of other models against what their publishers say, and against the Principled that a
- * reader of both specifications writes by hand. Published: MaterialX's example materials (Apache
- * 2.0; facts alone) standard_surface_{gold,copper,chrome,plastic,greysphere,brick_procedural},
+/* Translated materials of other models against their publishers' definitions, and against a
+ * Principled written by hand from both specifications. Published: MaterialX's example materials
+ * (Apache 2.0; facts alone)
+ * standard_surface_{gold,copper,chrome,plastic,greysphere,brick_procedural},
  * usd_preview_surface_{gold,plastic}, gltf_pbr_{plastic,carpaint}; the formulas of glTF 2.0,
  * UsdPreviewSurface 2.6. */
 #include "tests/slot_values.h"
@@ -273,7 +274,7 @@ static void widths_are_kept(void **state)
     }
 }
 
-/* glTF's walls are thin where its volume has no thickness: light has the colour once, and through a
+/* glTF's walls are thin where its volume has no thickness: light has the color once, and through a
  * body at each of two surfaces its root. */
 static void thick_glass_is_no_thin_wall(void **state)
 {
@@ -387,9 +388,8 @@ static void layouts_without_the_model_are_doubted(void **state)
                 &options);
             MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT, &options);
             const char *reported = matc_program_diagnostics(program, MATC_TEXT);
-            const bool doubted =
-                strstr(reported, "cannot store roughness, reflectance, model: the "
-                                 "surface is shaded as a Phong") != NULL;
+            const bool doubted = strstr(reported, "cannot store roughness, reflectance, model: the "
+                                                  "surface is shaded as a Phong") != NULL;
             assert_true(matc_ok(program));
             assert_int_equal(doubted, principled && layouts[i].doubted);
             assert_true(!doubted || strstr(reported, "test.yaml:1:11"));

@@ -1,7 +1,7 @@
-/* Every row of translations.def against numbers from the models' specifications, which
- * translation_values.def lists: the parameters of the Principled that a material becomes. Each
- * document is read twice: with constants, so that formulas of the translation become numbers, and
- * with uniforms in their place, so that they become expressions. */
+/* Every row of translations.def against numbers from the models' specifications, listed in
+ * translation_values.def: the parameters of the resulting Principled. Each document is read
+ * twice: with constants, so that the translation's formulas fold to numbers, and with uniforms,
+ * so that they become expressions. */
 #include "tests/test.h"
 #include "compiler/document.h"
 #include "compiler/oracle/oracle_maps.h"

@@ -1,6 +1,6 @@
-/* Numbers of units.def, written down once more: the usual range of each parameter, its unit,
- * and the unit in which a number beyond may be thought. Every border is accepted without a word,
- * and the next double beyond it is warned of. */
+/* Numbers of units.def against an independent list: the usual range of each parameter, its unit,
+ * and the unit in which an out-of-range number was probably meant. Every bound is accepted
+ * without a warning; the next double outside of it causes one. */
 #include "tests/test.h"
 #include "compiler/matc.h"
 #include "grammar/unit_table.h"

@@ -1,4 +1,4 @@
-/* MatcOptions.warnings: which warnings of documents and programs are reported, and which as
+/* MatcOptions.warnings: which warnings of documents and programs are reported, and which become
  * errors. */
 #include "tests/test.h"
 #include "compiler/base/warnings.h"

@@ -1,6 +1,6 @@
-/* BMP files that are written here byte by byte, so that their texels are known: every depth, with a
- * palette and with masks, rows from the bottom and from the top. Then files that are cut off or lie
- * about themselves. Pictures of other formats are refused by their names. */
+/* BMP files written byte by byte here, so that their texels are known: every depth, palettes and
+ * masks, bottom-up and top-down rows. Then truncated files and inconsistent headers. Pictures of
+ * unsupported formats are refused with the format's name. */
 #include "tests/test.h"
 #include "tests/picture.h"
 
@@ -78,7 +78,7 @@ static void palettes(void **state)
     check(&(Bmp){LATEST, 2, 2, 8, 0, 4, NULL, palette, eight, 8}, true, four);
     check(&(Bmp){INFO, 2, 2, 4, 0, 4, NULL, palette, nibbles, 8}, true, four);
     check(&(Bmp){INFO, 2, 2, 1, 0, 2, NULL, palette, one, 8}, true, two_colors);
-    uint8_t whole[3 * 16] = {0}; /* a core header has all colours */
+    uint8_t whole[3 * 16] = {0}; /* a core header has all colors */
     memcpy(whole, short_palette, sizeof short_palette);
     check(&(Bmp){CORE, 2, 2, 4, 0, 16, NULL, whole, nibbles, 8}, true, four);
 }

@@ -1,5 +1,5 @@
-/* OpenEXR files that are read: channels, windows, compressions and tiles, and that their numbers
- * stay as they are. */
+/* OpenEXR files that are read: channels, windows, compressions and tiles; their numbers stay
+ * unchanged. */
 #include "tests/test.h"
 #include "tests/exr_file.h"
 
@@ -94,7 +94,7 @@ static double emissive(PictureFile *file, const char *text)
     return red;
 }
 
-/* They are linear whatever the document's colours are, and above 1 where they are above 1. */
+/* They are linear whatever the document's colors are, and above 1 where they are above 1. */
 static void values_are_linear(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* OpenEXR files that are refused: kinds that matc does not read, cut and altered ones, those that
- * speak of more than they hold. */
+/* OpenEXR files that are refused: kinds that matc does not support, truncated and altered files,
+ * headers that claim more data than the file holds. */
 #include "tests/test.h"
 #include "tests/exr_file.h"
 #include "tests/sanitized.h"
@@ -32,7 +32,7 @@ static void kinds_that_are_refused(void **state)
         }
 }
 
-/* A number that is none or infinite would spread over its neighbours. */
+/* A number that is none or infinite would spread over its neighbors. */
 static void numbers_are_finite(void **state)
 {
     (void)state;

@@ -1,6 +1,6 @@
-/* JPEG files that are written here byte by byte, by ITU-T T.81 and with nothing of a library's, so
- * that their texels are known: blocks without any but their mean, 128 + DC / 8 where the table of
- * quantities is of ones. Then files that are broken or ask for too much. */
+/* JPEG files written byte by byte here, by ITU-T T.81 and without a library, so that their
+ * texels are known: blocks with only a DC coefficient, whose texels are 128 + DC / 8 with a
+ * quantization table of ones. Then broken files and files that demand too much memory. */
 #include "tests/test.h"
 #include "tests/picture.h"
 
@@ -271,7 +271,7 @@ static void many_scans(void **state)
     picture_refused(&file.made, picture_alone, true, "it has too many scans");
 }
 
-/* Damage that libjpeg fills in with grey and only warns about: blocks missing before the end, a
+/* Damage that libjpeg fills in with gray and only warns about: blocks missing before the end, a
  * code that is in no table, bands that do not go together. */
 static void damaged_scans(void **state)
 {

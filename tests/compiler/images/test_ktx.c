@@ -1,4 +1,4 @@
-/* Textures as files: KTX 1 as Khronos specifies it, byte by byte, rows of every length. */
+/* Texture files: KTX 1 as specified by Khronos, byte by byte, with rows of every length. */
 /* ctest: quick */
 #include "tests/test.h"
 #include "compiler/base/output.h"

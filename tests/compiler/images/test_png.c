@@ -1,6 +1,6 @@
-/* Pictures: files that are written here byte by byte, by the PNG specification and with nothing of
- * the product's, so that their texels are known; what the reader makes of them, and what the
- * reference answers for them. */
+/* PNG files written byte by byte here, by the specification and without the product's code, so
+ * that their texels are known: the texels that the reader returns, and the values that the
+ * reference samples from them. */
 /* ctest: quick */
 #include "tests/test.h"
 #include "tests/picture.h"
@@ -111,7 +111,7 @@ static void test_16_bits(void **state)
     check_words(&file, 2, 1, greys, false);
 }
 
-/* A picture of one row: grey of few bits is spread over all of 0 to 255. */
+/* A picture of one row: gray of few bits is spread over all of 0 to 255. */
 static void check_gray(int depth, int width, const char *row, size_t size, const char *texels)
 {
     PictureFile file = {.size = 0};
@@ -131,7 +131,7 @@ static void test_gray(void **state)
     check_gray(8, 2, ROWS("\0\x7E\x01"), G("\x7E") G("\x01"));
 }
 
-/* A palette with alpha for its first two colours, two bits a texel. */
+/* A palette with alpha for its first two colors, two bits a texel. */
 static void test_palette(void **state)
 {
     (void)state;
@@ -144,7 +144,7 @@ static void test_palette(void **state)
                  false);
 }
 
-/* One colour is transparent, and only if all of its 16 bits are the same. */
+/* One color is transparent, and only if all of its 16 bits are the same. */
 static void test_transparent_colour(void **state)
 {
     (void)state;

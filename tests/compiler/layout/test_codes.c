@@ -1,5 +1,5 @@
-/* Every packed code, exactly: decoded by the library's GLSL, encoded again, stored in a real target
- * of half floats or of whole numbers, it is the same code; and it is that of the C reference. */
+/* Every code of every encoding, exactly: decoded by the library's GLSL, encoded, and stored in a
+ * real target of half floats or integers, it is unchanged, and equals the C reference's code. */
 /* ctest: alone */
 #include "tests/test.h"
 #include "compiler/library/normal.h"

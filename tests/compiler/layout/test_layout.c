@@ -1,6 +1,6 @@
-/* Layouts, drawn: what is packed into a G-buffer and unpacked again lies within the stated error of
- * each field, for random and hostile values, in every GLSL, optimised or not. A layout's row is all
- * that a further layout needs here. */
+/* Layouts, drawn: a value that is packed into a G-buffer and unpacked lies within the stated
+ * error of its field, for random and hostile values, in every GLSL version, optimized or not. A
+ * new layout needs only its row in the table. */
 /* ctest: seconds=18 */
 #include "tests/test.h"
 #include "compiler/layout/layout.h"
@@ -143,7 +143,7 @@ static void check_halves(Fixture *f, Gbuffer *g)
     }
 }
 
-/* Which of the layout's cases was drawn. */
+/* Returns the layout's case that was drawn. */
 static int drawn_case(Gbuffer *g)
 {
     static GLuint words[POINT_COUNT][4];

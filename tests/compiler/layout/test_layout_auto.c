@@ -1,4 +1,4 @@
-/* --layout=auto: the smallest layouts are small, whatever the order of their materials, and every
+/* --layout=auto: the resulting layouts are small, independent of the materials' order, and every
  * material has a case. */
 #include "tests/test.h"
 #include "compiler/layout/layout.h"
@@ -62,7 +62,7 @@ static void ratios_of_the_draw_are_no_constants(void **state)
 }
 
 /* Components that are alike are stored once, what never changes not at all, light up to 1 as
- * colours are. */
+ * colors are. */
 static void ranges_make_fields(void **state)
 {
     (void)state;

@@ -1,4 +1,4 @@
-/* --layout=auto: which sets of slots are kept of many materials, and how they are divided into
+/* --layout=auto: the set of slots that is stored for many materials, and its division into
  * cases. */
 /* ctest: quick */
 #include "tests/test.h"
@@ -118,7 +118,7 @@ static void order_is_of_no_account(void **state)
     }
 }
 
-/* With so many sets that some are joined, each still finds a case, and every case has its place. */
+/* So many sets that some share a case: each set still has a case, and every case has its bits. */
 static void every_set_finds_a_case(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* --layout=auto: what is claimed of materials holds, of random trees by the oracle, and of sets as
- * they are drawn. */
+/* --layout=auto: claims about materials hold, for random trees by the oracle, and for material
+ * sets as drawn. */
 /* ctest: unsanitized seconds=29 */
 #include "tests/test.h"
 #include "compiler/layout/layout.h"

@@ -1,5 +1,5 @@
-/* Layouts from files: what matc writes of a layout reads back to it, and what one's own layouts
- * promise they keep. */
+/* Layouts from files: matc's output for a layout reads back as the same layout, and user-defined
+ * layouts keep their stated errors. */
 /* ctest: quick */
 #include "tests/test.h"
 #include "compiler/layout/layout_read.h"
@@ -83,7 +83,7 @@ static void what_is_written_reads_back(void **state)
         reads_back(&layout_table[i]);
 }
 
-/* Constants, ranges and grey components, which no built-in layout has; numbers that need all of
+/* Constants, ranges and gray components, which no built-in layout has; numbers that need all of
  * their digits. */
 static void all_of_a_file_reads_back(void **state)
 {

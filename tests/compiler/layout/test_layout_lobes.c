@@ -1,6 +1,6 @@
-/* Which lobes a Principled may have at once: compact holds any two, light of its own and holes
- * among them, and says what it loses of more; --layout=auto any two and light besides. All numbers
- * vary, those of the base too. */
+/* Lobe combinations of a Principled: compact holds any two, emission and cut-outs among them,
+ * and warns about what it loses with more; --layout=auto holds any two and emission besides. All
+ * parameters vary, the base's included. */
 #include "tests/test.h"
 #include "tests/compile_text.h"
 #include "compiler/base/file.h"

@@ -1,5 +1,5 @@
-/* Rows of layouts.def, without drawing: places do not overlap, and glslang takes every layout in
- * every GLSL that it has. */
+/* Rows of layouts.def, without drawing: bit ranges do not overlap, and glslang accepts every
+ * layout in every GLSL version that the layout supports. */
 #include "tests/test.h"
 #include "compiler/layout/layout.h"
 #include "compiler/matc.h"

@@ -1,6 +1,6 @@
-/* The table of normal encodings: mean, rms and greatest error in degrees over two million random
- * directions, beside measured figures. The encodings are the C references, in double precision;
- * test_codes holds the GLSL to them. */
+/* The table of normal encodings: mean, root mean square and greatest error in degrees over two
+ * million random directions, against measured figures. The encodings are the C references, in
+ * double precision; test_codes compares the GLSL with them. */
 /* ctest: seconds=10 */
 #include "tests/test.h"
 #include "compiler/library/normal.h"

@@ -1,6 +1,6 @@
-/* Values packed into half floats survive a real RGBA16F target: every code of packPair, and normals
- * through the spheremap. The GLSL is the library's own, drawn; the reading side is a second program
- * that samples the target. */
+/* Values packed into half floats survive a real RGBA16F target: every code of packPair, and
+ * normals through the spheremap. The GLSL is the library's own, drawn; a second program samples
+ * the target. */
 /* ctest: quick */
 #include "tests/test.h"
 #include "tests/draw/canvas.h"
@@ -211,7 +211,7 @@ static void normals_come_back(void **state)
     assert_true(seen.sum / (double)seen.count <= cut * mean_seen && seen.worst <= cut * worst_seen);
 }
 
-/* The axes, the singular direction and its neighbours: numbers, of unit length. */
+/* The axes, the singular direction and its neighbors: numbers, of unit length. */
 static void hard_normals_come_back(void **state)
 {
     Fixture *f = *state;

@@ -1,6 +1,6 @@
 /* Every parameter of Principled, away from its default, through every layout, against the layout
- * `integer`: the light is the same within what the layout's bits promise, or a warning names
- * what the layout loses. Which slots a parameter changes says the oracle. */
+ * `integer`: the light is equal within the error of the layout's bits, or a warning names what
+ * the layout loses. The oracle determines which slots a parameter changes. */
 /* ctest: unsanitized seconds=25 */
 #include "tests/test.h"
 #include "grammar/tables.h"

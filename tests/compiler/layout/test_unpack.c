@@ -1,5 +1,6 @@
-/* The text that reads a whole layout back, drawn with the words of each of its cases: every slot
- * that a case leaves out is what the case says, or what absent slots are, and no other case's. */
+/* The GLSL that unpacks a whole layout, drawn with the words of each of its cases: every slot
+ * that a case leaves out has the case's own value, or the layout's default for absent slots, and
+ * never another case's value. */
 #include "tests/test.h"
 #include "compiler/layout/layout.h"
 #include "compiler/matc.h"

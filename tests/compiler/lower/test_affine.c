@@ -1,6 +1,6 @@
-/* --coordinates=long: what constants made of a coordinate, by sums, products, matrices, components
- * and signs in any order, comes out whole and fraction far from the origin. The truth is a matrix
- * and an offset in long double that the test carries along. */
+/* --coordinates=long: a coordinate transformed by constant sums, products, matrices, swizzles
+ * and negations in any order keeps its integer part and fraction far from the origin. The
+ * reference is a matrix and an offset in long double that the test carries along. */
 /* ctest: quick */
 #include "tests/test.h"
 #include "compiler/ir/fold.h"

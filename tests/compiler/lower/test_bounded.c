@@ -1,5 +1,5 @@
-/* --trigonometry=bounded leaves nothing to the driver's sines: neither a function of the library
- * nor a whole program calls one. */
+/* --trigonometry=bounded never calls the driver's sines and cosines: neither a library function
+ * nor a whole program contains a call. */
 /* ctest: quick */
 #include "tests/test.h"
 #include "compiler/emit/chunks.h"

@@ -1,5 +1,5 @@
-/* No program has an implicit derivative in non-uniform control flow: of every example, through
- * every pass and target. glslang makes SPIR-V of the text, whose blocks are walked. */
+/* No program has an implicit derivative in non-uniform control flow: every example, through
+ * every pass and target. glslang compiles the text to SPIR-V, whose blocks are walked. */
 /* ctest: unsanitized seconds=60 */
 #include "tests/test.h"
 #include "compiler/choice.h"

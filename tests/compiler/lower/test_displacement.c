@@ -1,7 +1,7 @@
-/* True displacement: the program that shows it and its slopes, in double, against the oracle; and
- * the bound that matc proves, against closed forms and many points; normals on curved bases,
- * against closed forms. Normals of displaced surfaces are test_equiv's and test_value's besides, by
- * the examples. */
+/* True displacement: the program for it and its slopes, in double, against the oracle; the bound
+ * that matc proves, against closed forms and many points; normals on curved bases, against
+ * closed forms. test_equiv and test_value also compare normals of displaced surfaces, by the
+ * examples. */
 /* ctest: seconds=11 */
 #include "tests/test.h"
 #include "compiler/choice.h"
@@ -18,7 +18,7 @@ static const float far = 100;
 static const float tip = 1e-6f;
 static const double value_bound = 1e-12, slope_bound = 1e-6;
 
-/* In [-2, 2): five components that fill a box evenly, by powers of the root of x^6 = x + 1. */
+/* Low-discrepancy numbers in [-2, 2): five components, by powers of the root of x^6 = x + 1. */
 static double spread(int index, int component)
 {
     return 4 * fmod((index + 1) * pow(1.1347241384015194, -(component + 1)), 1) - 2;

@@ -1,6 +1,6 @@
-/* --coordinates=long: chains of scales, offsets and turns that affine.c takes together have the
- * values of the oracle, which follows them step by step. In double, so that every offset and every
- * digit of a factor counts. test_stress and the accuracy page see to floats. */
+/* --coordinates=long: chains of scales, offsets and rotations that affine.c composes have the
+ * values of the oracle, which applies them step by step. In double, so that every offset and
+ * every digit of a factor counts. test_stress and the accuracy page cover floats. */
 #include "tests/test.h"
 #include "tests/stress/pixel.h"
 #include "tests/value/documents.h"
@@ -85,7 +85,7 @@ static const Ir *compile_long(Document *d, Session *session)
     return ir;
 }
 
-/* The greatest difference to the oracle that its neighbourhood does not explain. */
+/* The greatest difference to the oracle that its neighborhood does not explain. */
 static double worst_of(Document *d, int level, const Point *points, const Hull *hulls, int count)
 {
     Arena arena = {0};

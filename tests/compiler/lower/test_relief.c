@@ -1,6 +1,6 @@
-/* Slopes of displacements under each --derivatives, by closed forms: what the oracle says of the
- * normal at a point, which the programs are held to by test_value and test_stress. And where a
- * displacement has no slope, that is said. */
+/* Slopes of displacements under each --derivatives, by closed forms: the oracle's normal at a
+ * point, which test_value and test_stress compare with the programs. A displacement without a
+ * slope is reported. */
 #include "tests/test.h"
 #include "compiler/matc.h"
 #include <math.h>
@@ -42,7 +42,7 @@ static const Row rows[] = {
     {"finite", SCALED, "u=0.06 v=0.2", 20, 0},
     /* u' = v, v' = -u: along v, from 1 to 0 */
     {"auto", TURNED, "u=0.2 v=0.46", 0, -20},
-    /* the colours' own slopes, and the step between them: 3 y and 1 at y = 2 */
+    /* the colors' own slopes, and the step between them: 3 y and 1 at y = 2 */
     {"auto", "{ map: Checker, color1: " STEP("0, 3, 0") " }", "u=0.46 v=0.2 y=2", 120, 0},
     {"auto", "{ map: Checker, color1: " STEP("0, 3, 0") " }", "u=0.7 v=0.2 y=2", 0, 3},
     {"auto", "{ map: Checker, color1: " STEP("0, 3, 0") " }", "u=0.96 v=0.2 y=2", -120, 3},

@@ -1,6 +1,6 @@
-/* Slopes of displacements as programs compute them in floats: steps far from the origin, and what
- * lies exactly at the borders of a map. The truth is the same place near the origin, or the
- * oracle. */
+/* Slopes of displacements as programs compute them in floats: finite difference steps far from
+ * the origin, and points exactly on the borders of a map. The reference is the same place near
+ * the origin, or the oracle. */
 #include "tests/test.h"
 #include "compiler/base/output.h"
 #include "compiler/matc.h"

@@ -1,6 +1,6 @@
 /* Forward differentiation: the derivative of every map of every example, by u and by v, against
- * differences of the oracle's values in double precision. Where the map has a crease or a jump at
- * the point the two sides differ, and nothing is asked. */
+ * finite differences of the oracle's values in double. If a crease or jump of the map makes the
+ * two one-sided differences disagree, the point is skipped. */
 /* ctest: seconds=16 */
 #include "tests/test.h"
 #include "compiler/ir/fold.h"

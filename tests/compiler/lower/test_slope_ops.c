@@ -1,6 +1,6 @@
-/* The slope of every operation by every operand, and of every library function of slopes.def,
- * against differences of what the fold or the reference makes of them in double precision. Operands
- * vary alone and together. At a jump or a crease nothing is asked. */
+/* The derivative of every operation by every operand, and of every library function of
+ * slopes.def, against finite differences of the folded operation or the C reference in double.
+ * Operands vary alone and together. Points at a jump or a crease are skipped. */
 #include "tests/test.h"
 #include "compiler/ir/fold.h"
 #include "compiler/pipeline.h"
@@ -87,7 +87,8 @@ static bool difference(Test *t, int axis, int component, double h, double *slope
     return fabs(crease) <= capacity && fabs(other - *slope) <= capacity;
 }
 
-/* By the differences over either of two steps: cells of fine octaves may begin within the one. */
+/* Compares with the differences of either of two steps, because cells of fine octaves may begin
+ * within one step. */
 static void judge(Test *t, const char *what, int axis, int component, double got)
 {
     double expected = 0;
@@ -124,7 +125,7 @@ static void compare(Test *t, Ref value, const char *name, int varying)
             judge(t, what, d, component, result[1 + d][component]);
 }
 
-/* Where an operand may lie. */
+/* Range of an operand. */
 static void operand_range(Op op, int operand, double *low, double *high)
 {
     static const struct {
@@ -191,7 +192,7 @@ static void check_subsets(Test *t, Operation o)
             check_operation(t, &o, varying);
 }
 
-/* By component: numbers, vectors, and numbers with a vector. */
+/* Checks by component: numbers, vectors, and numbers with a vector. */
 static void check_components(Test *t, Op op)
 {
     int count = op_table[op].arity;
@@ -294,7 +295,7 @@ static void check_call(Test *t, const FunctionCase *row, const SlopeRow *slope)
     }
 }
 
-/* Those of slopes.def and maps.def: the others are differences of themselves. */
+/* Functions with a row in slopes.def or maps.def; all others are differentiated by differences. */
 static void functions_have_the_slopes_of_their_rows(void **state)
 {
     (void)state;

@@ -1,7 +1,7 @@
-/* Answers of maps, at -O0 and -O2, against the oracle's values over the pixel: what a mean leaves
- * out is their variance, and the mean of what is no line of one of two values is that of both. The
- * maps here vary by whole periods, so that their means' slopes show nothing of what they leave
- * out. */
+/* Means and variances of maps, at -O0 and -O2, against the oracle's values over the pixel: the
+ * variance is what a mean leaves out, and a non-linear function of a two-valued map is averaged
+ * over both values. The maps vary by whole periods, so that the slopes of their means carry no
+ * variance. */
 #include "tests/test.h"
 #include "compiler/ir/build.h"
 #include "compiler/ir/fold.h"

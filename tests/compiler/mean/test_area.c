@@ -1,6 +1,6 @@
-/* --aa=box and --aa=aniso against means of the unfiltered map over the same footprints, in double
- * by ir_eval. AREA_ONLY=part-of-a-name in the environment looks at those rows only; AREA_SEED=N
- * takes other footprints, for which the bounds of areas.def are not meant. */
+/* --aa=box and --aa=aniso against means of the unfiltered map over the same footprints, in
+ * double by ir_eval. AREA_ONLY=part-of-a-name in the environment selects rows; AREA_SEED=N takes
+ * other footprints, to which the bounds of areas.def do not apply. */
 /* ctest: unsanitized */
 #include "tests/test.h"
 #include "compiler/pipeline.h"
@@ -92,7 +92,7 @@ static void open_map(Test *t)
     }
 }
 
-/* The value at a part of the way to the neighbours. */
+/* The value at a part of the way to the neighbors. */
 static double value_at(Test *t, Aa aa, const Footprint *f, double right, double up)
 {
     double inputs[INPUT_COUNT][4] = {{0}}, result[MAX_OUTPUTS][4];
@@ -166,8 +166,8 @@ static double mean_of_samples(Test *t, const Footprint *f)
     return sum / (SIDE * SIDE);
 }
 
-/* Where the next border lies, in parts of the way; borders are at the multiples of a part of the
- * period. */
+/* Position of the next border, as a fraction of the way; borders are at multiples of a part of
+ * the period. */
 static double next_border(double from, double middle, double edge, double part)
 {
     const double beyond = 1e-9;

@@ -1,6 +1,6 @@
-/* --aa=auto: what it averages in the shader costs at most a tenth of the program, of a plane as
- * much again, which is told by programs of every example, and it averages what the documents below
- * say. Pictures are the sampler's anyhow. */
+/* --aa=auto: the averaging costs at most a tenth of the program, or as much as the program on a
+ * plane. The cost is counted on programs of every example, and the documents below state which
+ * maps are averaged. Pictures are always averaged, by the sampler. */
 #include "tests/test.h"
 #include "tests/value/bounds.h"
 #include "tests/value/documents.h"
@@ -14,7 +14,7 @@
 #include <string.h>
 
 static const double free_cost = 200, most_growth = 1.1, most_growth_of_plane = 2;
-/* Lowered within a tenth as all are; without means the optimiser leaves less of their slopes. */
+/* Lowered within a tenth as all are; without means the optimizer leaves less of their slopes. */
 static const double most_growth_of_moved = 1.12;
 /* Pictures go through the sampler whatever that costs, and most cost less so than by texels. One in
  * a bump scales its footprint and compares it with a texel: 4 and 6 operations beside the 30 of its
@@ -56,7 +56,7 @@ static int cost_of_lowered(Ir *ir)
 /* How many times the operations of points means may take: a tenth more, or what is free. */
 static double growth_of(int mean, int plain) { return mean / fmax(plain, free_cost); }
 
-/* As lowering measures: before the optimiser, at -O1 whatever is asked for, without means and with
+/* Measures as lowering does: before the optimizer, at -O1 for any level, without means and with
  * those that fit. */
 static double lowered_growth(Document *d, const Node *material, Pass pass)
 {
@@ -292,7 +292,7 @@ static long visits_of(Document *d, int material, const char *aa)
     return visits;
 }
 
-/* With all means there are; *maps is how many maps those are of. */
+/* Counts visits with all means; *maps is the number of averaged maps. */
 static long visits_of_means(Document *d, int material, size_t *maps)
 {
     Lower l;

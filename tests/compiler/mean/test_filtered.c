@@ -1,5 +1,5 @@
-/* --aa as it is drawn, where what a pixel should show has a closed form: rectangles along the axes,
- * whole periods. */
+/* --aa as drawn, for pixels whose mean has a closed form: rectangles along the axes, whole
+ * periods. */
 #include "tests/test.h"
 #include "tests/value/apart.h"
 #include "tests/draw/sheet.h"
@@ -151,7 +151,7 @@ static double mean_blend(const Box *box)
     return mean_between(area_blend, box->middle[0], box->edge[0]);
 }
 
-/* The mean of what the blend makes of both colours, and not what it makes of their mean: at 0 it is
+/* The mean of what the blend makes of both colors, and not what it makes of their mean: at 0 it is
  * 0.1, at 1 0.3, at 1/2 0.9. */
 #define BLENDED_CHECKER                                                                            \
     "{ map: Blend, blend: [{ value: 0, input: 0.1 }, { value: 0.5, input: 0.9 }, { value: 1, "     \

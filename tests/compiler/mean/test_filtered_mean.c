@@ -1,6 +1,6 @@
-/* --aa as it is drawn over parallelograms, against means that the C reference makes of points
- * within them; noise by its statistics. MEAN_PLACES=N in the environment tries N places for each,
- * and shows the worst. */
+/* --aa as drawn over parallelograms, against means of the C reference over points within them;
+ * noise by its statistics. MEAN_PLACES=N in the environment tries N places for each, and prints
+ * the worst. */
 /* ctest: unsanitized */
 #include "tests/test.h"
 #include "compiler/library/java_random.h"

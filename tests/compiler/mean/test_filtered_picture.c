@@ -1,5 +1,4 @@
-/* --aa of pictures, as it is drawn: texels that the test made, and mipmaps that it makes by
- * hand. */
+/* --aa of pictures, as drawn: texels and mipmaps are made by the test. */
 #include "tests/test.h"
 #include "tests/value/apart.h"
 #include "tests/draw/mipmaps.h"
@@ -80,7 +79,7 @@ static double want_middle_mipmaps(const Mipmaps *m, double texels, const double 
     return mipmaps_at(m, middle_at, texels, u, component);
 }
 
-/* In GLSL 1.10: sixteen places. */
+/* The expected value in GLSL 1.10: the mean of sixteen points. */
 static double want_samples(const Mipmaps *m, double texels, const double u[2], int component)
 {
     double sum = 0, x = u[0] * m->side, y = u[1] * m->side;
@@ -93,8 +92,8 @@ static double want_samples(const Mipmaps *m, double texels, const double u[2], i
     return sum;
 }
 
-/* By the sampler: the mipmap whose level is the logarithm of the texels, up to a texel the picture
- * itself. */
+/* The expected value by the sampler: the mipmap level is the logarithm of the texel count; up to
+ * one texel the picture itself. */
 static double want_sampler(const Mipmaps *m, double texels, const double u[2], int component)
 {
     return between(m, level_at, texels, u, component);
@@ -146,7 +145,8 @@ static double want_part_mipmaps(const Mipmaps *m, double texels, const double u[
     return want_part(want_mipmaps, m, texels, u, component);
 }
 
-/* In GLSL 1.10 all but what repeats: four places, on a grid that is turned. */
+/* The expected value in GLSL 1.10 for all address modes except repeat: four points on a rotated
+ * grid. */
 static double want_points(const Mipmaps *m, double texels, const double u[2], int component)
 {
     static const double places[4][2] = {{-.125, -.375}, {.375, -.125}, {-.375, .125}, {.125, .375}};
@@ -247,8 +247,8 @@ static double most_of_normal(const Look *look, double texels)
     return texels <= 1 && !sampled ? 1e-6 : .006;
 }
 
-/* By default the sampler does all: with the footprint of the neighbouring pixels, or in a choice of
- * costly maps with one that it is told. Below a texel its weights have eight bits. */
+/* By default the sampler filters: with the implicit footprint, or with an explicit one for a
+ * choice between costly maps. Below a texel its weights have eight bits. */
 static void samplers_show_pictures(void **state)
 {
     (void)state;

@@ -1,4 +1,4 @@
-/* Statistics that replace filtered noise, against the integrals that define them: means over many
+/* Statistics that replace filtered noise, against their defining integrals: means over many
  * points of the noise itself. */
 /* ctest: unsanitized */
 #include "tests/test.h"

@@ -1,6 +1,6 @@
-/* Statistics that replace cells finer than a pixel, grammar/cells.def, against the integrals that
- * define them, over other points than those that `matbench cells` makes the table of; and the
- * search of the references, within three cells, against points that lie farther. */
+/* Statistics that replace cells smaller than a pixel, grammar/cells.def, against their defining
+ * integrals, over other points than those of `matbench cells`, which prints the table; and the
+ * references' search within three cells, against a wider search. */
 /* ctest: unsanitized seconds=43 */
 #include "tests/test.h"
 #include "compiler/library/cells.h"
@@ -157,7 +157,7 @@ static void none_is_beyond_reach(void **state)
         }
 }
 
-/* Random numbers of neighbours, and a cell's number and its place, know nothing of each other. */
+/* Random numbers of neighbors, and a cell's number and its place, know nothing of each other. */
 static void numbers_are_independent(void **state)
 {
     enum { ALONG = 200 };

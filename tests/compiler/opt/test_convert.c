@@ -1,4 +1,4 @@
-/* Numbers and vectors of one type as those of another. */
+/* Conversions of numbers and vectors from one type to another. */
 /* ctest: quick */
 #include "tests/test.h"
 #include "compiler/ir/build.h"

@@ -1,7 +1,7 @@
-/* The written text has the meaning of the IR: every operation within every other, on either side,
+/* The emitted text has the meaning of the IR: every operation as either operand of every other,
  * every mixture of floats and vectors, and branches. Each is drawn under OSMesa, compared with
- * ir_eval, and parsed by glslang in one of three other languages. The optimizer takes no part, so
- * that the text also has forms that it would never leave. */
+ * ir_eval, and parsed by glslang in one of three other languages. The optimizer is bypassed, so
+ * that the text also has forms that the optimizer would remove. */
 /* ctest: unoptimized seconds=15 */
 #include "tests/test.h"
 #include "compiler/ir/build.h"

@@ -1,6 +1,6 @@
-/* Lowering and optimiser, proved without GLSL: the IR as written and the optimised IR of every
- * example, evaluated in double precision, have the values of the oracle, which knows neither. And
- * an IR's text reads back as the same text. */
+/* Lowering and optimizer, tested without GLSL: the IR as written and the optimized IR of every
+ * example, evaluated in double precision, equal the values of the oracle, which shares no code
+ * with either. An IR's text reads back as the same text. */
 /* ctest: seconds=14 */
 #include "tests/test.h"
 #include "tests/sanitized.h"
@@ -69,8 +69,8 @@ static bool has_slopes_within(const Test *t, int material)
     return subjects.has[KIND_Triplanar];
 }
 
-/* So far out a step h of the oracle's differences is wide beside what maps do: of a wave of 200
- * radians a unit, (200 h)^2 / 6 is 1e-8. */
+/* Greater distances make a step h of the oracle's differences large compared with maps'
+ * features: for a wave of 200 radians per unit, (200 h)^2 / 6 is 1e-8. */
 static const float far = 100;
 
 /* One slot at one level: every point and both sides. */

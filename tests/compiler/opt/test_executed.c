@@ -1,6 +1,6 @@
-/* How often a drawn program runs a noise at a pixel: its functions count in the emitted text, and
- * the count is what is drawn. So this holds of branches what they spare, wherever they stand and
- * whatever they are by. */
+/* How often a drawn program evaluates a noise at a pixel: the noise functions of the emitted
+ * text increment a counter, and the counter is drawn. This proves the savings of branches,
+ * wherever they are and whatever their conditions. */
 #include "tests/test.h"
 #include "tests/compile_text.h"
 #include "tests/draw/draw.h"

@@ -1,5 +1,5 @@
-/* A Blend's costly item, and a Mix's costly side, are computed where they show alone, wherever they
- * stand; what is computed anyhow has no branch. */
+/* A Blend's costly item, and a Mix's costly side, are computed only where they are visible,
+ * anywhere in a tree; a value that is computed in any case has no branch. */
 #include "tests/test.h"
 #include "compiler/matc.h"
 #include "compiler/opt/opt.h"

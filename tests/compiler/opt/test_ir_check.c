@@ -1,4 +1,4 @@
-/* ir_check refuses an IR that breaks any of its invariants, and says which. */
+/* ir_check refuses an IR that breaks any of its invariants, and names the invariant. */
 /* ctest: quick */
 #include "tests/test.h"
 #include "compiler/ir/ir.h"

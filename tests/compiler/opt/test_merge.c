@@ -1,5 +1,5 @@
-/* opt_merge: the value of a pattern that is its gradient's fourth component is not computed again.
- */
+/* opt_merge: the value of a pattern that is its gradient's fourth component is not computed a
+ * second time. */
 /* ctest: quick */
 #include "tests/test.h"
 #include "compiler/opt/opt.h"

@@ -1,5 +1,5 @@
-/* opt_function: of functions whose calls are not asked for all components, those that are have the
- * values that they had. */
+/* opt_function: if the calls of a function use only some of its components, these keep their
+ * values. */
 /* ctest: quick */
 #include "tests/test.h"
 #include "compiler/opt/opt.h"

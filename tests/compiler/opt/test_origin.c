@@ -1,5 +1,5 @@
-/* Names and comments of a program come from its document: what the author calls a map, else its
- * slot and kind; nothing that GLSL does not take; the same bytes for the same document, and one
+/* Names and comments of a program come from its document: the author's name of a map, or else
+ * its slot and kind; only names that GLSL accepts; the same bytes for the same document, and one
  * program for documents that differ in names only. */
 #include "tests/test.h"
 #include "compiler/matc.h"

@@ -1,6 +1,6 @@
-/* Intervals, held against values: an operation's result lies within what is claimed of it, for any
- * intervals of its operands, ends included, and what is claimed is no wider than it has to be.
- * Neither goldens nor the optimiser take part. */
+/* Intervals against values: the result of an operation lies within its claimed interval, for any
+ * intervals of its operands, ends included, and the claimed interval is no wider than necessary.
+ * Neither goldens nor the optimizer take part. */
 /* ctest: quick */
 #include "tests/test.h"
 #include "compiler/ir/build.h"

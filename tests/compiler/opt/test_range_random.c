@@ -1,5 +1,5 @@
-/* Values of every node of random programs, held against the intervals that are claimed of them: one
- * for a node, and one for each component, where conditions bound what their arms compute. */
+/* Values of every node of random programs against their claimed intervals: one for the whole
+ * node, and one for each component, with conditions narrowing the arms of selects. */
 #include "tests/test.h"
 #include "compiler/ir/build.h"
 #include "compiler/ir/fold.h"

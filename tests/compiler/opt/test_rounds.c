@@ -1,6 +1,6 @@
-/* The optimiser asks no more than it has to: of a node that no rule changes once, of a program
- * until a round leaves it as it is. Counts, which are the same on every machine. And nodes are
- * found again, however many share an operand. */
+/* The optimizer does no needless work: each node that no rule changes is tried once, and rounds
+ * end when a round leaves the program unchanged. The test counts steps, which are equal on every
+ * machine. Equal nodes are found, however many nodes share an operand. */
 #include "tests/test.h"
 #include "compiler/opt/opt.h"
 #include "compiler/pipeline.h"

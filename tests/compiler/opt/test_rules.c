@@ -1,5 +1,5 @@
-/* Every local rule of the optimiser, where it applies and where it must not: on the border of its
- * guard, and beside it. */
+/* Every local rule of the optimizer, where it applies and where it must not: on the border of
+ * its guard, and just outside. */
 /* ctest: quick */
 #include "tests/test.h"
 #include "compiler/opt/opt.h"

@@ -1,5 +1,5 @@
-/* Constants of sums and products are brought together, each sign and each side of it; and where
- * they must not be. */
+/* Constants of sums and products are collected, with each sign and on each side; and cases in
+ * which they must not be. */
 /* ctest: quick */
 #include "tests/test.h"
 #include "compiler/opt/opt.h"

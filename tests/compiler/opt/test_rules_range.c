@@ -1,4 +1,4 @@
-/* The optimiser's rules that go by intervals, on this side of the border and on that. */
+/* The optimizer's rules that use intervals, on both sides of their borders. */
 /* ctest: quick */
 #include "tests/test.h"
 #include "compiler/opt/opt.h"

@@ -1,5 +1,5 @@
-/* The oracle's functions against 200 bits: waves, exponents, rotations, the sky; formulas from
- * semantics.md alone. */
+/* The oracle's functions against arithmetic of 200 bits: waves, exponents, rotations, the sky;
+ * the formulas are written from semantics.md alone. */
 /* ctest: quick alone */
 #include "tests/exact.h"
 #include <stdio.h>

@@ -1,5 +1,5 @@
-/* Whole materials against 200 bits: each a document and its formulas, written from semantics.md and
- * not from the oracle. */
+/* Whole materials against arithmetic of 200 bits: each a document and its formulas, written from
+ * semantics.md and not from the oracle. */
 /* ctest: quick alone */
 #include "tests/exact.h"
 
@@ -138,7 +138,7 @@ static void bump_checker(const At *at, R *want)
     tilted(at, over(less(right, here), step), over(less(above, here), step), want);
 }
 
-/* 1 + alpha (c - 1): alpha of a Checker of a clear and a solid colour, c = (x, x, x). */
+/* 1 + alpha (c - 1): alpha of a Checker of a clear and a solid color, c = (x, x, x). */
 static void clear(const At *at, R *want)
 {
     bool first = value(odd(plus(whole(times(num(2), at->u)), whole(times(num(2), at->v))))) > 0.25;
@@ -320,7 +320,7 @@ static const Material materials[] = {
 };
 enum { MATERIALS = sizeof materials / sizeof *materials, POINTS = 200 };
 
-/* Multiples of 2^-20, in [-3, 3). The square keeps vectors of neighbouring axes out of one plane,
+/* Multiples of 2^-20, in [-3, 3). The square keeps vectors of neighboring axes out of one plane,
  * where a normal has no side. */
 static double coordinate(int point, int axis)
 {

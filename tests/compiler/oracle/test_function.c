@@ -1,5 +1,5 @@
-/* Every library function and every volume map's: its GLSL, drawn, against its reference in double
- * at the same floats. */
+/* Every library function and every volume map's function: its GLSL, drawn, against its C
+ * reference in double at the same floats, within the bound of its row in functions.def. */
 /* ctest: unsanitized seconds=14 */
 #include "tests/test.h"
 #include "compiler/ir/ir.h"
@@ -75,7 +75,7 @@ static void reference(const Test *t, const double *args, double expected[CALL_CO
     reference_of(t->function)(&t->context, args, expected);
 }
 
-/* From what the reference makes of the neighbours: from the nearest of them for codes, else from
+/* From what the reference makes of the neighbors: from the nearest of them for codes, else from
  * their hull, which is taken to be wider by its own width. */
 static double miss_nearby(Test *t, int i, int component, double start)
 {

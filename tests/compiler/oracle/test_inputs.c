@@ -1,5 +1,5 @@
-/* Premise of the value tests: a fragment program gets the exact floats of a point, on either side
- * and in either context. */
+/* Premise of the value tests: a fragment program receives the exact floats of a point, on front
+ * and back faces and in either context. */
 #include "tests/test.h"
 #include "tests/draw/draw.h"
 #include <math.h>

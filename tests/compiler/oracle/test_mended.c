@@ -1,5 +1,5 @@
-/* Documents that once had a fault: as `matbench stress` tries them, in every mode, and with every
- * pixel. */
+/* Documents that once exposed a fault, tried as by `matbench stress` in every mode and with
+ * every pixel footprint. */
 /* ctest: seconds=50 */
 #include "tests/test.h"
 #include "compiler/base/file.h"

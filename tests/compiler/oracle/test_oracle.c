@@ -119,7 +119,7 @@ static void test_checker(void **state)
     for (size_t i = 0; i < sizeof cells / sizeof *cells; i++) {
         Surface s = at_uv(cells[i].u, cells[i].v);
         expect(&b, checker, R, &s, cells[i].red);
-        expect(&b, checker, X, &s, cells[i].red); /* the colour is asked for the same channel */
+        expect(&b, checker, X, &s, cells[i].red); /* the color is asked for the same channel */
         expect(&b, checker, A, &s, cells[i].red == 1 ? .125 : 1);
     }
     build_free(&b);
@@ -177,7 +177,7 @@ static Node *build_blend(Builder *b, int count, const double (*items)[2])
     return blend;
 }
 
-/* A blend's red at t; items are (value, grey), a negative grey is an item without map. */
+/* A blend's red at t; items are (value, gray), a negative gray is an item without map. */
 static void expect_blend(int count, const double (*items)[2], double t, double want)
 {
     Builder b = {0};

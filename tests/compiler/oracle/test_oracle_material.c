@@ -1,4 +1,5 @@
-/* The oracle against closed forms: the noise maps' check values, and the rules of the materials. */
+/* The oracle against closed forms: check values of the noise maps, and the rules of the
+ * materials. */
 /* ctest: quick */
 #include "tests/oracle_fixture.h"
 
@@ -169,7 +170,7 @@ static void test_phong_input(void **state)
     Builder b = {0};
     Node *phong = build_node(&b, KIND_Phong);
     build_link(phong, P_Phong_input, build_constant(&b, build_components(3, 3, 0, 4, 0)));
-    /* colour and alpha of the surface: 0 */
+    /* color and alpha of the surface: 0 */
     build_link(phong, P_Phong_diffuse, build_node(&b, KIND_UVTransform));
     Surface s = at_uv(0, 0);
     SlotValues v = slots_at(&b, phong, &s);
@@ -208,7 +209,7 @@ static void test_rgba(void **state)
     build_free(&b);
 }
 
-/* Red of a material's diffuse colour, seen from one side. */
+/* Red of a material's diffuse color, seen from one side. */
 static double red_of(const Builder *b, const Node *material, bool front)
 {
     Surface s = at_uv(0, 0);
@@ -235,7 +236,7 @@ static void test_side_switch(void **state)
     build_free(&b);
 }
 
-/* From 0.25 of a: colours linearly, the normal by directions, exponents by (2 / (n + 2))^(1/4). */
+/* From 0.25 of a: colors linearly, the normal by directions, exponents by (2 / (n + 2))^(1/4). */
 static void test_mix(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
 /* The C references of the library functions: check values of the semantics, closed forms, round
- * trips, behaviour at the edges. */
+ * trips, behavior at the edges. */
 /* ctest: alone */
 #include "tests/test.h"
 #include "compiler/ir/ir.h"
@@ -231,7 +231,7 @@ static void reliefs(void **state)
         }
     carpenter_bake(&(CarpenterRelief){.5, 1, 1, 0, 256, 256}, texels);
     near((double)texels[0], .5, 0);
-    /* the torus closes: neighbours are near each other across the seam */
+    /* the torus closes: neighbors are near each other across the seam */
     for (int y = 0; y < 256; y++)
         near((double)texels[256 * y], (double)texels[256 * y + 255], .2);
     carpenter_bake(&(CarpenterRelief){.5, 1, 1, 0, 256, 256}, other);
@@ -241,7 +241,7 @@ static void reliefs(void **state)
     carpenter_bake(&(CarpenterRelief){.25, 0, 1, 0, 3, 5}, other); /* no noise: flat */
     for (int at = 0; at < 15; at++)
         near((double)other[at], .25, 0);
-    /* The first draws of java.util.Random(0) as floats are .7309678 and .8314411: centre, then the
+    /* The first draws of java.util.Random(0) as floats are .7309678 and .8314411: center, then the
      * middle of the lower edge. */
     carpenter_bake(&(CarpenterRelief){.5, 1, 1, 0, 2, 2}, other);
     near((double)other[3], .5 + .4619356, 1e-6);

@@ -1,6 +1,6 @@
 /* SunSkyLight against the paper: Preetham, Shirley and Smits, A Practical Analytic Model for
- * Daylight (1999), with the numbers of its appendix typed in here, and the sun's colour by the
- * CIE's 1931 table where the product has a fit to it. */
+ * Daylight (1999), with the numbers of its appendix typed in here, and the sun's color by the
+ * CIE's 1931 table, for which the product has a fit. */
 #include "tests/test.h"
 #include "compiler/matc.h"
 #include <math.h>
@@ -231,7 +231,7 @@ static const Vector views[] = {
 };
 static const Vector suns[] = {{0, 1, .4}, {0, 0, 1}, {1, 1, 1}, {-1, .2, .1}, {3, 4, .7}};
 
-/* The colour of every direction over the zenith's: the model alone, without the scale. */
+/* The color of every direction over the zenith's: the model alone, without the scale. */
 static void test_shape(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* A small run of what `matbench stress` does without end: random documents mean the same to all who
- * evaluate them. */
+/* A short run of `matbench stress`: a random document has one meaning for the oracle, the IR and
+ * the drawn program. */
 /* ctest: seconds=10 */
 #include "tests/test.h"
 #include "tests/sanitized.h"
@@ -88,7 +88,7 @@ static void a_seed_is_a_document(void **state)
     }
 }
 
-/* Fails where any two neighbours sum to 100 or more. */
+/* Fails where any two neighbors sum to 100 or more. */
 static bool has_pair(void *user, const uint32_t *script, int count)
 {
     (void)user;

@@ -1,7 +1,7 @@
-/* The proof: what the emitted programs draw is what the oracle says, for every example, slot, level
- * and target. tests/bounds.def says how far they may be apart, and the table at the end how far
- * they are. VALUE_ONLY=part-of-a-path in the environment looks at those documents only, and says
- * more of each fault; VALUE_SEED=N takes other points. */
+/* The central proof: the values that emitted programs draw equal the oracle's, for every
+ * example, slot, level and target. tests/bounds.def has the tolerances; the table at the end
+ * prints the errors. VALUE_ONLY=part-of-a-path in the environment selects documents and prints
+ * more about each fault; VALUE_SEED=N takes other points. */
 /* ctest: unsanitized unoptimized seconds=140 */
 #include "tests/test.h"
 #include "tests/draw/draw.h"

@@ -1,5 +1,5 @@
-/* The oracle's count of work is proportional to its time: values of every costly kind, by their
- * time for each counted step. A kind that is not counted would be hundreds of times as slow. */
+/* The oracle's count of work is proportional to its time: values of every costly kind are timed
+ * per counted step. An uncounted kind would be hundreds of times as slow. */
 /* ctest: small-pages */
 #include "tests/test.h"
 #include "compiler/oracle/oracle.h"

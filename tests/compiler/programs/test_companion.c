@@ -1,6 +1,6 @@
-/* Texts that accompany a fragment program are complete by themselves: the code that unpacks a
- * layout and the vertex program of every pass, each parsed by glslang with only the lines in front
- * of it that docs/reference/layouts.md names, for every target. */
+/* Texts that accompany a fragment program are complete: the code that unpacks a layout and the
+ * vertex program of every pass, each parsed by glslang with only the lines in front of it that
+ * docs/reference/layouts.md names, for every target. */
 #include "tests/test.h"
 #include "compiler/layout/custom.h"
 #include "compiler/emit/emit.h"

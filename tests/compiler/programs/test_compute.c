@@ -1,7 +1,7 @@
-/* Compute programs that displace the vertices of a buffer, run under OSMesa: positions against the
- * oracle's, normals against the oracle's and against closed forms of curved bodies, from meshes
- * that lie in any order; what nobody asked for stays as it was. Places of uniforms are those that
- * the reflection says. */
+/* Compute programs that displace the vertices of a buffer, run under OSMesa: positions against
+ * the oracle's, normals against the oracle's and against closed forms of curved shapes, for
+ * meshes with any arrangement in memory; other memory stays unchanged. Uniforms are at the
+ * places that the reflection reports. */
 #include "tests/test.h"
 #include "tests/rig_state.h"
 #include "tests/draw/curved.h"

@@ -1,5 +1,5 @@
-/* Where matc's vertex programs put what they displace, drawn under OSMesa, against the oracle in
- * double. */
+/* Positions of vertices displaced by matc's vertex programs, drawn under OSMesa, against the
+ * oracle in double. */
 #include "tests/test.h"
 #include "tests/rig_state.h"
 #include "tests/value/move.h"

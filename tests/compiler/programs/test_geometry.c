@@ -1,6 +1,6 @@
-/* Geometry programs, drawn under OSMesa: of each target that has them, the picture is what the
- * vertex program makes of a mesh that was divided before, within and beyond what one call writes;
- * what is closed has no hole; what has no such programs says so. */
+/* Geometry programs, drawn under OSMesa: for each target that supports them, the picture equals
+ * that of the vertex program with a mesh that was subdivided before, below and above the output
+ * limit of one invocation; a closed mesh has no hole; for other targets an error is reported. */
 #include "tests/test.h"
 #include "tests/rig_state.h"
 #include "runtime/tessellate/scene_divide.h"
@@ -119,7 +119,7 @@ static void draw_views(Rig *rig, const Way *way, int views, float *pictures)
     close_drawn(&d);
 }
 
-/* Pixels of the background all of whose neighbours show the body. */
+/* Pixels of the background all of whose neighbors show the body. */
 static int holes(const float *picture, int *within)
 {
     int count = 0;

@@ -1,5 +1,5 @@
-/* Planes, skies and surfaces, drawn with matc's own vertex program as an engine would, and what is
- * read back of a G-buffer. What is to be seen is computed here from the camera, and by the C
+/* Planes, skies and surfaces, drawn with matc's own vertex program as an engine would, and read
+ * back from a G-buffer. The expected values are computed here from the camera, and by the C
  * reference. */
 #include "tests/test.h"
 #include "tests/rig_state.h"

@@ -1,5 +1,5 @@
-/* The reflection against the program itself: every example, passes, layouts and targets, by the
- * SPIR-V that glslang makes of it and by what OpenGL answers of the linked program. */
+/* The reflection against the program itself: every example, passes, layouts and targets, by
+ * glslang's SPIR-V of the program and by OpenGL's queries of the linked program. */
 /* ctest: seconds=18 */
 #include "tests/test.h"
 #include "runtime/gl/backend.h"

@@ -1,5 +1,5 @@
-/* The passes shadow and depth, drawn with matc's own vertex program: what is transparent is
- * discarded, and nothing else is read. */
+/* The passes shadow and depth, drawn with matc's own vertex program: transparent fragments are
+ * discarded, and no other slot is evaluated. */
 #include "tests/test.h"
 #include "tests/rig_state.h"
 #include <string.h>

@@ -1,7 +1,6 @@
-/* SPIR-V of all stages: one entry point each, of the right kind; what a stage takes the one before
- * it gives, at the same place and of the same type; bindings are of set 0, those of a binding the
- * same in all stages, and those that the reflection names. spirv-val judges them, where it is
- * installed. */
+/* SPIR-V of all stages: one entry point each, of the right kind; the inputs of a stage match the
+ * outputs of the previous stage in location and type; bindings are of set 0, equal in all
+ * stages, and those that the reflection names. spirv-val validates them, where installed. */
 /* ctest: seconds=16 */
 #include "tests/test.h"
 #include "compiler/matc.h"

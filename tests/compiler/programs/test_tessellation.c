@@ -1,6 +1,6 @@
-/* The programs that tessellate, drawn under OSMesa: triangles whose edges have other levels than
- * their neighbours' leave no hole in what is closed, nor beside the outline that a bound allows;
- * attributes of a mesh come through; what has no such programs says so. */
+/* Tessellation programs, drawn under OSMesa: edges whose levels differ from their neighbors'
+ * leave no hole in a closed mesh, nor along the outline of patches culled by a bound; mesh
+ * attributes are passed on; for targets without such programs an error is reported. */
 #include "tests/test.h"
 #include "tests/rig_state.h"
 #include <math.h>
@@ -73,7 +73,7 @@ static bool shown(const Rig *rig, int x, int y)
     return rig->color[0][y * SIDE + x][0] != rig_cleared;
 }
 
-/* Pixels of the background all of whose neighbours show the body. */
+/* Pixels of the background all of whose neighbors show the body. */
 static int holes(const Rig *rig, int *within)
 {
     int count = 0;

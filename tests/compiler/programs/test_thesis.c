@@ -1,4 +1,4 @@
-/* The thesis' own program, its listing 4.2, beside what matc writes for the same tree: the same
+/* The thesis' own program, its listing 4.2, against matc's program for the same tree: the same
  * four render targets. */
 /* ctest: quick */
 #include "tests/test.h"
@@ -79,7 +79,7 @@ static double eye_z(const Point *point, bool front)
 static const double FLOAT_ERROR = 2e-7; /* of a sum with 1/2, below which a code near 0 may lie */
 
 /* The normal's components: both round a number that they compute in their own ways, so the halves
- * may be neighbours; a driver may cut as well as round. Near z = -1 the listing divides two small
+ * may be neighbors; a driver may cut as well as round. Near z = -1 the listing divides two small
  * numbers that have lost their digits; matc does not. */
 static void compare_normal(const Point *point, bool front, const float *theirs, const float *ours,
                            int *neighbours)

@@ -1,7 +1,7 @@
-/* Bisection by compute stages, under OSMesa: its triangles against those of the processor's
- * bisection by the same error, in double; the same set however the camera came there; each side of
- * a triangle with another bit for bit, from 64 cameras; what is not enough room for; pictures
- * against those of fine meshes, and shadows of what the camera does not see. */
+/* Bisection by compute stages, under OSMesa: its triangles against CPU bisection by the same
+ * error bound, in double; the set is independent of the camera's path; shared edges are equal
+ * bit for bit, from 64 cameras; buffers that are too small; pictures against those of fine
+ * meshes, and shadows of casters outside the view. */
 /* ctest: unsanitized seconds=17 */
 #include "tests/frame/bisection_body.h"
 #include "tests/frame_reference/bisection_reference.h"
@@ -60,7 +60,7 @@ static void triangles_are_those_of_the_processor(void **state)
     }
 }
 
-/* All of each base, once. */
+/* Checks that the leaves cover each base exactly once. */
 static void assert_whole(const uint64_t *leaves, int count, int bases)
 {
     double area = 0;
@@ -69,8 +69,8 @@ static void assert_whole(const uint64_t *leaves, int count, int bases)
     assert_true(area == bases);
 }
 
-/* From near to far and back, around, and where there are not enough: the same as of one who has
- * seen nothing before. */
+/* From near to far and back, around, and with too small buffers: the result equals that of a
+ * mesh without history. */
 static void the_way_does_not_matter(void **state)
 {
     static const double distances[] = {8, 1.4, 30, 1.1, 2, 1.2, 1.25, 1.3};
@@ -114,7 +114,7 @@ static void the_way_does_not_matter(void **state)
     }
 }
 
-/* Entries of the table are told from those of 255 looks ago. */
+/* Hash table entries are distinguished from those of 255 evaluations ago. */
 static void old_looks_are_forgotten(void **state)
 {
     BisectionBody b =
@@ -132,8 +132,8 @@ static void old_looks_are_forgotten(void **state)
     bisection_body_end(&b);
 }
 
-/* 64 cameras, near and far, of bisection_bodies with hard edges, seams and poles, one after the
- * other in place. */
+/* 64 cameras, near and far, one after the other on the same mesh, of bisection_bodies with hard
+ * edges, seams and poles. */
 static void each_side_has_another(void **state)
 {
     static const double distances[] = {1.1, 1.7, 2.2, 20};
@@ -159,7 +159,7 @@ static void each_side_has_another(void **state)
     assert_true(triangles > 20000);
 }
 
-/* Pixels that differ by more than a fiftieth. */
+/* Number of pixels that differ by more than a fiftieth. */
 static int differing(const float *a, const float *b)
 {
     int count = 0;
@@ -168,8 +168,8 @@ static int differing(const float *a, const float *b)
     return count;
 }
 
-/* By the whole renderer, with exact shadows, which read the triangles back; the camera goes
- * elsewhere, and back. */
+/* By the whole renderer, with exact shadows, which read the triangles; the camera moves away,
+ * and back. */
 static void pictures_are_those_of_meshes(void **state)
 {
     const MatcOptions options = frame_exact_options();
@@ -213,9 +213,9 @@ static void pictures_are_those_of_meshes(void **state)
         free(light[k]);
 }
 
-/* The camera sees a floor, and of a body nothing but its shadow: that is the one which a fine mesh
- * throws, though a triangle out of view counts as eight times as far; when the lamp comes near,
- * too. */
+/* The camera sees a floor and only the shadow of a displaced mesh: the shadow equals that of a
+ * fine mesh, though a triangle outside the view counts as eight times as far; also with a lamp
+ * that comes near. */
 static void shadows_are_those_of_meshes(void **state)
 {
     const MatcOptions options = frame_exact_options();
@@ -269,7 +269,7 @@ static void shadows_are_those_of_meshes(void **state)
         free(light[i]);
 }
 
-/* A driver that cannot gets the processor's. */
+/* A driver without the features uses bisection on the CPU. */
 static void others_get_meshes(void **state)
 {
     const MatcOptions options = frame_exact_options();

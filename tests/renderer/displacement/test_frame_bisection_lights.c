@@ -1,5 +1,6 @@
-/* Bisection for the shadows of an Area, under OSMesa: nowhere coarser than for a lamp at any of its
- * points, seldom finer than for all of these, and as for one lamp where it is small. */
+/* Bisection for the shadows of an Area light, under OSMesa: nowhere coarser than for a point
+ * light anywhere on it, seldom finer than for all such lights, and equal to that of a point
+ * light if the Area is small. */
 /* ctest: unsanitized */
 #include "tests/frame/bisection_body.h"
 #include "runtime/scene/scene_matrix.h"
@@ -47,8 +48,8 @@ static bool is_there(const uint64_t *leaves, int count, uint64_t leaf)
     return low < count && leaves[low] == leaf;
 }
 
-/* How many of `fine` lie within a triangle of `coarse` that is not divided as far. Numbers of
- * triangles: those it lies in are it without its last bits. */
+/* Number of triangles of `fine` inside a coarser one of `coarse`. The numbers of enclosing
+ * triangles are prefixes, in bits. */
 static int finer(const uint64_t *fine, int fine_count, const uint64_t *coarse, int coarse_count)
 {
     int found = 0;
@@ -62,7 +63,7 @@ static int finer(const uint64_t *fine, int fine_count, const uint64_t *coarse, i
     return found;
 }
 
-/* For a lamp at a place of the Area; from malloc. */
+/* Leaves for a lamp at a position on the Area; from malloc. */
 static uint64_t *of_lamp(BisectionBody *b, const Row *row, const double at[2], int *count)
 {
     SceneLight *lamp = &b->scene->lights[0];

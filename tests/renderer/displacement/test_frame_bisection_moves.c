@@ -1,19 +1,19 @@
-/* Bisection by compute stages where the camera moves by little: triangles that cannot have changed
- * are not looked at again, and what there is is what a mesh has that has seen nothing before. */
+/* Bisection by compute stages under small camera moves: triangles that cannot have changed are
+ * not evaluated, and the result equals that of a mesh without history. */
 /* ctest: unsanitized */
 #include "tests/frame/bisection_body.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* From -1 to 1. */
+/* Random number in [-1, 1]. */
 static double chance(uint32_t *state)
 {
     *state = *state * 1664525u + 1013904223u;
     return (double)(*state >> 8) / (1 << 23) - 1;
 }
 
-/* By so much along each axis at most, and turned towards a target that moves as well. */
+/* Moves by at most `step` along each axis, and turns toward a target that moves as well. */
 static void move_by(SceneCamera *camera, double step, double turn, uint32_t *state)
 {
     for (int i = 0; i < 3; i++) {
@@ -32,9 +32,8 @@ static void assert_fresh_has_them(BisectionBody *b, const uint64_t *leaves, int 
     free(fresh);
 }
 
-/* Many steps, so that what is left of a triangle's room after some of them counts; by moving, by
- * turning alone, with rays from one point, and parallel ones; beside a sun, and a lamp that is
- * near. */
+/* Many steps, so that the remaining tolerance of triangles matters after several; with movement,
+ * with rotation alone, with perspective and parallel rays; with a sun, and with a near lamp. */
 static void little_moves_do_not_matter(void **state)
 {
     static const struct {
@@ -48,7 +47,7 @@ static void little_moves_do_not_matter(void **state)
                 {4, false, .01, 0, {0}}};
     enum { VIEWS = 30 };
     const GlContext *gl = ((const BisectionBodies *)*state)->gl;
-    /* a device looks at sixteen where one is due, a processor at four */
+    /* a GPU evaluates sixteen triangles if one is due, a CPU four */
     const double most = gl->hardware ? 0.9 : 0.6;
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         BisectionBody b = bisection_body_begin(*state, "pixels: 0.8, triangles: 9000",
@@ -59,7 +58,7 @@ static void little_moves_do_not_matter(void **state)
         int counts[VIEWS], looked = 0, changed = 0;
         b.scene->lights[0].kind = rows[i].lamp[0] != 0 ? SCENE_Point : SCENE_Directional;
         memcpy(b.scene->lights[0].position, rows[i].lamp, sizeof rows[i].lamp);
-        /* from nearer: what merges then leaves places free */
+        /* from nearer: merging then leaves free slots */
         bisection_body_look(&b.scene->camera, 1, 8, 1.3);
         free(bisection_body_leaves(&b, &counts[0]));
         bisection_body_look(&b.scene->camera, 1, 8, 2.4);
@@ -88,7 +87,7 @@ static void little_moves_do_not_matter(void **state)
     }
 }
 
-/* Anything that a view depends on beside the camera's position rebuilds everything. */
+/* Every other input of a view rebuilds everything. */
 static void what_else_changes_counts(void **state)
 {
     BisectionBody b =
@@ -112,8 +111,8 @@ static void what_else_changes_counts(void **state)
     bisection_body_end(&b);
 }
 
-/* Where a driver has more threads than a processor has, nine of them have a height each, and groups
- * go on to what is left: what they find is the same. */
+/* On a driver with many threads, nine threads compute a height each, and groups continue with
+ * the remaining work: the result is the same. */
 static void threads_beside_each_other_find_the_same(void **state)
 {
     GlContext *gl = ((const BisectionBodies *)*state)->gl;

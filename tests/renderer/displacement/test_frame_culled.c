@@ -1,6 +1,6 @@
-/* Patches out of view of meshes that the driver displaces, drawn under OSMesa: they get no
- * triangles where nobody but the camera looks, and no shadow of theirs can come into view, and all
- * of them elsewhere; pictures are the same, bit for bit. */
+/* Culling of patches outside the view for meshes that the driver displaces, drawn under OSMesa:
+ * a patch gets no triangles if only the camera sees it and its shadow cannot come into view, and
+ * all of them otherwise; pictures are equal bit for bit. */
 /* ctest: seconds=23 */
 #include "tests/frame/frame_compare.h"
 #include "tests/frame/frame_draw.h"
@@ -13,7 +13,7 @@ enum { EDGE = 64, PIXELS = EDGE * EDGE };
 #define WITHOUT "{ light: Directional, direction: [1, 0.6, -1], shadows: none }"
 #define GRID    "method: grid, pixels: 4, triangles: 40000"
 
-/* A sheet that goes on behind the camera and beside it, and on which a ball stands. */
+/* A sheet that extends behind and next to the camera, with a ball on it. */
 static Scene *open_scene(const char *how, const char *lights, const MatcOptions *options,
                          MatcDocument **document)
 {
@@ -37,7 +37,7 @@ static Scene *open_scene(const char *how, const char *lights, const MatcOptions 
     return frame_scene(text, options, document);
 }
 
-/* How many triangles are drawn, and the picture. */
+/* Draws a picture, and returns the number of triangles. */
 static int draw(GlContext *gl, const Scene *scene, const RendererOptions *how,
                 float light[4 * PIXELS])
 {
@@ -49,14 +49,15 @@ static int draw(GlContext *gl, const Scene *scene, const RendererOptions *how,
     return triangles;
 }
 
-/* Where a light casts but by maps, or is kept off on its way, where points may go farther than the
- * height says, or all edges have as many parts, all triangles are there. */
+/* All triangles are drawn if a light's shadows do not come from maps, or its light passes
+ * transparent surfaces, if points may move farther than the height's bound, or if all edges have
+ * equally many segments. */
 static void what_nobody_sees_has_no_triangles(void **state)
 {
     (void)state;
     static const struct {
         const char *how, *lights;
-        double most; /* of all triangles are there; 1: all */
+        double most; /* max share of all triangles; 1: all */
     } cases[] = {
         {GRID, WITHOUT, 0.95},
         {"method: tessellation, pixels: 4, triangles: 40000", WITHOUT, 0.95},
@@ -103,8 +104,8 @@ static void what_nobody_sees_has_no_triangles(void **state)
     gl_close(gl);
 }
 
-/* The camera turns about itself, a little at first: each picture is that of a new renderer, with a
- * part of the triangles. */
+/* The camera rotates in place, slightly at first: each picture equals that of a new renderer,
+ * with a part of the triangles. */
 static void turn_under(const char *lights)
 {
     enum { TURNS = 12 };
@@ -147,7 +148,7 @@ static void what_comes_into_view_is_there(void **state)
     turn_under("{ light: Directional, direction: [1, 0.6, -1], shadows: map }");
 }
 
-/* A lamp goes around what it shines on, so that shadows come from here and there. */
+/* A lamp circles around the objects, so that shadows come from different sides. */
 static void what_a_light_shows_is_there(void **state)
 {
     (void)state;
@@ -183,8 +184,8 @@ static void what_a_light_shows_is_there(void **state)
     assert_true(anew >= 2 && least < most);
 }
 
-/* Balls float over a plane, below which nothing is: the camera sees that plane alone, and what
- * falls on it. As many triangles as a light's shadows need are there, and no more. */
+/* Balls float over a plane: the camera sees only the plane and the shadows on it. Exactly the
+ * triangles that a light's shadows need are drawn. */
 static void what_falls_on_a_plane_is_there(void **state)
 {
     (void)state;

@@ -1,7 +1,7 @@
-/* Displaced surfaces against Cycles, which divides and displaces them by nodes of its own:
- * tests/reference/README.md. What each method's triangles may be off is said by their size and by
- * the second derivative of the surface; of what is traced nothing is, but what Cycles' own parts
- * are. */
+/* Displaced surfaces against Cycles, which subdivides and displaces them by its own nodes:
+ * tests/reference/README.md. The tolerance of each method's triangles follows from their size
+ * and the surface's second derivative; for ray-marched surfaces it is only that of Cycles' own
+ * triangles. */
 /* ctest: unsanitized seconds=17 */
 #include "tests/frame/frame_compare.h"
 #include "tests/frame/frame_draw.h"
@@ -21,7 +21,8 @@ static const struct {
 } bodies[2] = {{3 * 1.41421356, .08 * (144 + 25) / 9 + .05 * (49 + 256) / 9},
                {1.6 * 1.41421356, .06 * 34 + .042 * 52}};
 
-/* `parts` of an edge; or triangles that are off by `pixels`; neither: the surface itself. */
+/* Subdivided into `parts` per edge, or into triangles with an error of `pixels`; neither:
+ * ray-marched. */
 typedef struct {
     const char *how;
     int parts;
@@ -51,8 +52,8 @@ typedef struct {
     ReferencePicture wanted[2];
 } Pictures;
 
-/* The document, its line `displacement:` replaced; and its scales, the box's in proportion, by one
- * that is wrong. */
+/* Opens the document with its line `displacement:` replaced; with a wrong scale, the box's in
+ * proportion, unless NULL. */
 static Scene *open_scene(const char *how, const char *scale, const MatcOptions *options,
                          MatcDocument **document)
 {
@@ -76,7 +77,7 @@ static Scene *open_scene(const char *how, const char *scale, const MatcOptions *
     return scene;
 }
 
-/* Errors over their bounds, of points and of normals, on each body. */
+/* Errors relative to their bounds, of points and of normals, on each object. */
 typedef struct {
     double share[2][2][PIXELS], off[2][2][PIXELS];
     int count[2], missing;
@@ -99,10 +100,10 @@ static void note(Judged *judged, int body, int what, double off, double bound)
     judged->share[body][what][judged->count[body]] = off / bound;
 }
 
-/* A point in front of the camera, and a normal, beside Cycles' own of the same pixel. Points are
- * judged across Cycles' tangent plane, from which the surface bends away; normals by how far from
- * there they are. Cycles' parts are half a pixel wide; where it looks along the surface, longer:
- * taken for one. */
+/* Compares a point in front of the camera, and a normal, with Cycles' of the same pixel. Points
+ * are compared along the normal of Cycles' tangent plane, from which the surface curves away;
+ * normals by the distance of the points. Cycles' triangles are half a pixel wide; at grazing
+ * angles longer: one pixel is assumed. */
 static void judge(const Scene *scene, const Way *way, double shown[2][3], double wanted[2][3],
                   Judged *judged)
 {
@@ -172,7 +173,7 @@ static void draw(const World *world, const Way *way, const char *scale, Judged *
     frame_forget(scene, document);
 }
 
-/* All pixels but one in a thousand, which an outline that triangles move may cross. */
+/* All pixels except one in a thousand, at which moved triangles may shift an outline. */
 static void each_method_is_as_near_as_its_triangles(void **state)
 {
     static const char *const names[] = {"sheet, points", "sheet, normals", "box, points",
@@ -195,8 +196,8 @@ static void each_method_is_as_near_as_its_triangles(void **state)
     }
 }
 
-/* Heights that are a hundredth too large are seen where the surface itself is drawn; and normals of
- * a fifth less. */
+/* The comparison detects heights that are 1 % too large on the ray-marched surface, and normals
+ * off by a fifth. */
 static void other_heights_are_seen(void **state)
 {
     const World *world = *state;

@@ -1,6 +1,7 @@
-/* Meshes that the driver displaces, drawn under OSMesa: their points against the C reference's, by
- * which meshes are displaced; no hole in what is closed, wherever levels meet, edges are hard or
- * texture coordinates have a seam; pictures, shadows and changes against what meshes give. */
+/* Meshes that the driver displaces, drawn under OSMesa: their points against the C reference for
+ * displaced meshes; closed meshes have no hole where tessellation levels meet, edges are hard or
+ * texture coordinates have a seam; pictures, shadows and changes against those of displaced
+ * meshes. */
 /* ctest: unsanitized */
 #include "runtime/tessellate/scene_displace.h"
 #include "tests/frame/frame_compare.h"
@@ -59,7 +60,7 @@ static Scene *open_scene(const SceneText *of, const MatcOptions *options, MatcDo
     return frame_scene(text, options, document);
 }
 
-/* An edge is drawn with coverage: so its triangles come back. */
+/* Enables edge coverage, which captures the triangles. */
 static RendererOptions with_triangles(const MatcOptions *options)
 {
     return (RendererOptions){.compile = options, .view = "light", .edges = RENDERER_EDGES_coverage};
@@ -78,7 +79,7 @@ static double apart(const float a[3], const float b[3])
     return sqrt(sum);
 }
 
-/* How far a point is from those of a mesh that were in the same place. */
+/* Distance of a point from the nearest point of a mesh with the same base point. */
 static double nearest(const Shape *shape, const float position[3], const float base[3])
 {
     double least = INFINITY;
@@ -88,8 +89,8 @@ static double nearest(const Shape *shape, const float position[3], const float b
     return least;
 }
 
-/* The grid has the points of a mesh of its level; what moves a point of a rim is mixed before it
- * has unit length, not afterwards. */
+/* The grid has the points of a mesh of equal level; displacement directions along an edge are
+ * mixed before normalization. */
 static void points_are_those_of_the_reference(void **state)
 {
     (void)state;
@@ -131,7 +132,7 @@ static void look_from(Scene *scene, int view, double distance)
     assert_true(scene_camera_aim(&scene->camera) == SCENE_AIM_fine);
 }
 
-/* Pixels of the background all of whose neighbours show the body. */
+/* Number of background pixels all of whose neighbors show the mesh. */
 static int holes(const float *light, long *within)
 {
     int count = 0;
@@ -147,7 +148,7 @@ static int holes(const float *light, long *within)
     return count;
 }
 
-/* Which numbers of parts, as powers of two, meet in a patch. */
+/* Marks the pairs of segment counts, as powers of two, that occur in one patch. */
 static void mark_pairs(const Scene *scene, bool met[7][7])
 {
     const ScenePatches *patches = scene->meshes[scene->objects[0].mesh].patches;
@@ -159,8 +160,8 @@ static void mark_pairs(const Scene *scene, bool met[7][7])
     free(parts);
 }
 
-/* 64 views of four bodies: near ones, where an edge has many times the parts of its neighbour, and
- * far ones. Bit for bit each side of a triangle has another. */
+/* 64 views of four meshes: near ones, in which an edge has many times its neighbor's segments,
+ * and far ones. Shared edges are equal bit for bit. */
 static void no_hole_is_where_levels_meet(void **state)
 {
     (void)state;
@@ -201,7 +202,7 @@ static void no_hole_is_where_levels_meet(void **state)
             fail_msg("no edges of %d and of %d parts met", 1 << i, 1 << (i - 1));
 }
 
-/* Pixels that differ by more than a fiftieth. */
+/* Number of pixels that differ by more than a fiftieth. */
 static int differing(const float *a, const float *b)
 {
     int count = 0;
@@ -219,7 +220,7 @@ static float *picture(GlContext *gl, const SceneText *of, const MatcOptions *opt
     return light;
 }
 
-/* Light, shadows of each method, what is transparent, light from around that voxels dim: as of
+/* Light, shadows of each method, transparency, and ambient light dimmed by voxels equal those of
  * meshes that the C reference displaced. */
 static void pictures_are_those_of_meshes(void **state)
 {
@@ -279,7 +280,7 @@ static void assert_same(Renderer *renderer, GlContext *gl, const Scene *scene,
     free(fresh);
 }
 
-/* The camera goes elsewhere, and back; a param is set: as a new renderer has it. */
+/* The camera moves away, and back; a param is set: pictures equal those of a new renderer. */
 static void changes_are_what_a_new_renderer_draws(void **state)
 {
     (void)state;
@@ -313,8 +314,8 @@ static void changes_are_what_a_new_renderer_draws(void **state)
     gl_close(gl);
 }
 
-/* A driver that cannot gets meshes, of the same level: bit for bit. So does a height without a
- * bound. */
+/* A driver without the features uses meshes of the same level: bit for bit. So does a height
+ * without a bound. */
 static void others_get_meshes(void **state)
 {
     (void)state;
@@ -334,7 +335,8 @@ static void others_get_meshes(void **state)
     gl_close(gl);
 }
 
-/* One of EGL has none of its own, and a draw wants one though it writes to buffers alone. */
+/* A surfaceless EGL context has no default framebuffer, which a draw needs even if it writes
+ * only to buffers. */
 static void a_context_may_lack_a_framebuffer(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* Displaced objects in pictures: no hole in what is closed, from 64 sides; outlines, light and
- * shadows of each method against rays of Embree, where the material at a point is the oracle's. */
+/* Displaced objects in pictures: closed meshes have no hole, from 64 sides; outlines, light and
+ * shadows of each method against Embree's rays, with the oracle's material at each point. */
 /* ctest: seconds=82 */
 #include "tests/frame/frame_compare.h"
 #include "tests/frame/frame_draw.h"
@@ -11,7 +11,7 @@
 
 enum { WIDTH = 120, HEIGHT = 90, PIXELS = WIDTH * HEIGHT };
 
-/* Hard edges, seams of texture coordinates, a height that goes by both, and one that jumps. */
+/* Hard edges, seams of texture coordinates, a height that crosses both, and one that jumps. */
 #define MATERIALS                                                                                  \
     "materials:\n"                                                                                 \
     "  rock: { material: Phong, diffuse: { map: Granite }, emissive: 0.2, displacementScale: "     \
@@ -38,8 +38,7 @@ static const char *const bodies[] = {
 static const char *const methods[] = {"mesh", "bisection"};
 enum { BODIES = sizeof bodies / sizeof *bodies, VIEWS = 16 };
 
-/* Whether a ray and four beside it, a fiftieth of a pixel away, all meet something, or all nothing;
- * -1: they do not agree. */
+/* 1 if a ray and four rays a fiftieth of a pixel away all hit, 0 if all miss; -1: they disagree. */
 static int covered(const Tracer *tracer, int x, int y)
 {
     int met = 0;
@@ -52,8 +51,8 @@ static int covered(const Tracer *tracer, int x, int y)
     return met == 5 ? 1 : met ? -1 : 0;
 }
 
-/* 16 views of each of four bodies, over the whole sphere of directions: no pixel within shows what
- * is behind, none beside is drawn. */
+/* 16 views of each of four meshes, over the whole sphere of directions: no inner pixel shows the
+ * background, and no outer pixel is drawn. */
 static void nothing_shows_through_what_is_closed(void **state)
 {
     (void)state;
@@ -90,7 +89,7 @@ static void nothing_shows_through_what_is_closed(void **state)
     assert_true(within > 60000 && beside > 200000);
 }
 
-/* The next pixels meet the same face of the body, about as far away. */
+/* True if adjacent pixels hit the same face at about the same distance. */
 static bool is_plain(const Tracer *tracer, int x, int y, const Hit *hit)
 {
     for (int i = 0; i < 4; i++) {
@@ -104,8 +103,7 @@ static bool is_plain(const Tracer *tracer, int x, int y, const Hit *hit)
     return true;
 }
 
-/* Light of a lamp without shadows: the normal is that of the displaced surface, the place where
- * light arrives the displaced one. */
+/* Light of a lamp without shadows: normal and position are those of the displaced surface. */
 static void light_is_that_of_the_oracle(void **state)
 {
     (void)state;
@@ -181,7 +179,7 @@ static void write_torus(const char *path)
     assert_int_equal(fclose(file), 0);
 }
 
-/* Displacement of a body: along its normals, or by a vector. */
+/* Displacement of a mesh: along its normals, or by a vector. */
 typedef struct {
     CurvedBody body;
     double scale;
@@ -196,9 +194,9 @@ static void want_normal(const Risen *risen, const double place[3], bool stay, do
         curved_normal(risen->body, risen->vector ? 0 : risen->scale, place, stay, want);
 }
 
-/* Degrees, in the root of the mean square, between a picture's normals and the closed form: [0] as
- * it is, [1] as if normals of the base stayed as they are, or, of vectors, were those of the body.
- * Where a pixel's ray meets nothing else nearby. */
+/* Root mean square angle, in degrees, between a picture's normals and the closed form: [0] as
+ * drawn, [1] with constant base normals or, for vectors, those of the undisplaced mesh. Skips
+ * pixels whose neighborhood shows another face. */
 static int judge_slopes(const Scene *scene, const Risen *risen, const float *normals, double off[2])
 {
     Tracer tracer = reference_open(scene);
@@ -228,8 +226,8 @@ static int judge_slopes(const Scene *scene, const Risen *risen, const float *nor
     return count;
 }
 
-/* A ball and a torus that rise by up to a fifth of their radii, divided by the processor and by the
- * driver, and traced: the processor's triangles say which point of the base a pixel sees. */
+/* A ball and a torus displaced by up to a fifth of their radii, subdivided by CPU and driver,
+ * and ray-marched: the CPU's triangles give each pixel's point of the base. */
 static void normals_are_those_of_curved_surfaces(void **state)
 {
     (void)state;
@@ -279,8 +277,8 @@ static void normals_are_those_of_curved_surfaces(void **state)
 }
 #endif
 
-/* The floor under a displaced body is dark where rays to the light meet it, by maps, silhouettes
- * and exactly. */
+/* The floor under a displaced mesh is dark where rays to the light hit the mesh, by maps, by
+ * silhouettes and exactly. */
 static void shadows_are_those_of_the_displaced_shape(void **state)
 {
     (void)state;

@@ -1,6 +1,6 @@
-/* Meshes that are divided by feedback, drawn under OSMesa: as many triangles as the criterion has
- * in double; the points of an even division where nothing is too far; gaps, which each kind of
- * skirts hides; fewer triangles of skirts a step before the last. */
+/* Meshes subdivided by transform feedback, drawn under OSMesa: the triangle count that the
+ * criterion gives in double; the points of a uniform subdivision where no edge is too long;
+ * gaps, which each kind of skirts hides; fewer skirt triangles one step before the last. */
 /* ctest: seconds=10 */
 #include "tests/frame/frame_compare.h"
 #include "tests/frame/displaced_bodies.h"
@@ -40,7 +40,7 @@ static double length_of(const double a[3], const double b[3])
                 (a[2] - b[2]) * (a[2] - b[2]));
 }
 
-/* Triangles that one becomes, with its skirts; it has been divided so often. */
+/* Number of triangles that one becomes, skirts included, after `step` subdivisions. */
 static long divided(const Criterion *c, double (*p)[3], int step)
 {
     double middle[3], middles[3][3];
@@ -124,7 +124,7 @@ static void triangles_are_those_of_the_criterion(void **state)
     gl_close(gl);
 }
 
-/* Nothing is too far: the points of 2^3 parts; and closed, on a box whose edges are hard. */
+/* With all triangles near: the points of 2^3 segments; and closed, on a box with hard edges. */
 static void all_near_is_an_even_division(void **state)
 {
     (void)state;
@@ -176,8 +176,8 @@ static int triangles_from(Renderer *renderer, Scene *scene, const double eye[3],
     return (int)renderer->gpu_scene.triangles;
 }
 
-/* Wherever a camera looks from one place, there are as many; from another place there are as many
- * as the criterion has there. */
+/* Rotation of the camera leaves the number of triangles unchanged; from another position there
+ * are as many as the criterion gives. */
 static void a_turn_leaves_triangles_alone(void **state)
 {
     (void)state;

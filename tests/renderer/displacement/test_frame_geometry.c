@@ -1,7 +1,7 @@
-/* Meshes that geometry programs displace, drawn under OSMesa: their points are those of meshes that
- * the C reference displaced, within and beyond what one call writes; where patches are divided each
- * for itself there are gaps, and skirts of each kind hide them; what stands for points stands where
- * the grid has them. */
+/* Meshes displaced by geometry programs, drawn under OSMesa: their points equal those of meshes
+ * that the C reference displaced, below and above the output limit of one invocation;
+ * independently subdivided patches have gaps, which skirts of each kind hide; stand-in points
+ * are at the grid's points. */
 /* ctest: seconds=43 */
 #include "tests/frame/frame_compare.h"
 #include "tests/frame/displaced_bodies.h"
@@ -23,8 +23,8 @@ static int triangles_of(GlContext *gl, int body, const char *how, MatcDocument *
     return shape_of(*scene)->index_count / 3;
 }
 
-/* Patches of 7 parts, which nothing divides; of 12, which are three parts of four; on a box whose
- * edges are hard, which mix the sum of two normals. */
+/* Patches of 7 segments in one pass; of 12, as three by four; on a box with hard edges, which
+ * mix two normals. */
 static void points_are_those_of_the_reference(void **state)
 {
     (void)state;
@@ -76,8 +76,8 @@ static void skirts_have_their_triangles(void **state)
     gl_close(gl);
 }
 
-/* Edges of other numbers of parts agree with their neighbours', or they gape. A copy below is not
- * behind all gaps that are seen at a slant, at the rim of the square. */
+/* Edges have gaps unless their neighbors have equal segment counts. A lowered copy does not hide
+ * all gaps seen obliquely, at the rim of the square. */
 static void skirts_hide_gaps(void **state)
 {
     (void)state;
@@ -96,8 +96,8 @@ static void skirts_hide_gaps(void **state)
     gl_close(gl);
 }
 
-/* Four corners of each square lie around the grid's point, in the plane across its normal; a ball's
- * points are as far from it as each other. */
+/* Four corners of each symbol lie around the grid's point, in the plane perpendicular to its
+ * normal; a ball's points are at equal distances. */
 static void symbols_stand_around_points(void **state)
 {
     (void)state;

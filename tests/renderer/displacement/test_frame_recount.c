@@ -1,5 +1,5 @@
-/* Transparent fragments and layers are counted again where the scene changes: a list that was made
- * for few would lose what is too many. */
+/* Transparent fragments and layers are counted a second time after the scene changes: a list
+ * sized for a few would lose fragments. */
 /* ctest: seconds=25 */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
@@ -15,7 +15,7 @@ enum {
     CAPACITY = 4 * (4 + WIDTH * HEIGHT + 6 * FAR_FRAGMENTS)
 };
 
-/* Two boxes of glass, far away: some hundred fragments; from near by each fills the picture. */
+/* Two distant boxes of glass with some hundred fragments; from nearby each fills the picture. */
 static const char far_away[] =
     "image: { width: 32, height: 24 }\ncamera: { camera: Perspective, position: [0, -40, 0], "
     "angle: 20 }\n"
@@ -38,7 +38,7 @@ static bool move(Renderer *renderer, Scene *scene, Move what)
     return renderer_changed_objects(renderer, 0, 2);
 }
 
-/* The picture after a move, from malloc; before it, one was drawn. */
+/* The picture after a move, from malloc; another one was drawn before. */
 static float *draw_moved(GlContext *gl, Scene *scene, const RendererOptions *options, Move what)
 {
     float *rgba = calloc((size_t)WIDTH * HEIGHT, 4 * sizeof *rgba);
@@ -51,8 +51,8 @@ static float *draw_moved(GlContext *gl, Scene *scene, const RendererOptions *opt
     return rgba;
 }
 
-/* As a new renderer draws it, bit for bit: by lists, by peeling, and where the lists do so long no
- * more. */
+/* Equals a new renderer's picture, bit for bit: with lists, with peeling, and when lists become
+ * too long. */
 static void more_are_counted(void **state)
 {
     (void)state;
@@ -88,7 +88,7 @@ static bool runs(const Renderer *renderer, const char *line)
     return found;
 }
 
-/* From lists to peeling; or, where lists are insisted on, an error. */
+/* Switches from lists to peeling; or, if lists are required, an error. */
 static void lists_that_are_too_long(void **state)
 {
     (void)state;
@@ -165,8 +165,8 @@ static void shadows_that_are_too_long(void **state)
     matc_layout_free(layout);
 }
 
-/* A pane that lets all through has no fragment in a light's lists; a number makes it dark glass,
- * which has, as a scene with that number. */
+/* A fully transparent pane has no fragment in a light's lists; a param turns it into dark glass,
+ * which has, like a scene with that value. */
 static void params_are_counted(void **state)
 {
     (void)state;

@@ -1,7 +1,8 @@
-/* Pictures are read with one footprint all over a flat face, also along the edges of its
- * triangles: there a quad of pixels has helper invocations, which in Mesa's software driver read
- * 0 from a storage buffer. Two materials share a program and differ in a number of their texture
- * coordinate, so that a buffer has it. The truth is --aa=none, which takes no footprint. */
+/* Pictures are sampled with one footprint all over a flat face, also along its triangles' edges:
+ * there a 2 x 2 quad of pixels has helper invocations, which read 0 from a storage buffer in
+ * Mesa's software driver. Two materials share a program and differ in a constant of their
+ * texture coordinate, so that a buffer holds it. The reference is --aa=none, which uses no
+ * footprint. */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include <math.h>
@@ -18,8 +19,7 @@ static const double bound = 1.0 / 256 + 2.0 / 255;
 
 static GlKind kind;
 
-/* Slot `diffuse`, `ambient` or whatever is shown, of both materials on faces that fill most of
- * the picture. */
+/* Draws a slot of both materials on faces that fill most of the picture. */
 static float *draw(const char *text, const char *slot, const char *aa)
 {
     MatcOptions options;
@@ -53,7 +53,7 @@ static void write_fan(const char *path)
 }
 
 typedef struct {
-    const char *material, *slot; /* what stands before the picture, and which slot has it */
+    const char *material, *slot; /* text before the picture, and the slot that contains it */
 } Surface;
 typedef struct {
     const char *first, *second; /* the coordinate of each material */

@@ -1,6 +1,6 @@
-/* Surfaces that are traced, drawn under OSMesa: a wave against its closed form, which is marched
- * through in double; a ball and a box of rock against Embree's rays through meshes that the C
- * reference displaced finely; shadow maps; exact shadows, which get the grid instead. */
+/* Ray-marched displacement, drawn under OSMesa: a wave against its closed form, marched in
+ * double; a ball and a box of rock against Embree's rays through meshes that the C reference
+ * displaced finely; shadow maps; exact shadows, which use the grid instead. */
 /* ctest: seconds=20 */
 #include "tests/frame/frame_compare.h"
 #include "tests/frame/frame_draw.h"
@@ -59,7 +59,7 @@ static Renderer *open_traced(GlContext *gl, const MatcOptions *options, const ch
     return renderer;
 }
 
-/* By a renderer that has drawn others of that view: programs are there once. */
+/* Drawn by a renderer that has drawn others of that view, so that programs are reused. */
 static float *picture(GlContext *gl, Renderer *renderer, const SceneText *of)
 {
     const MatcOptions options = frame_exact_options();
@@ -70,8 +70,8 @@ static float *picture(GlContext *gl, Renderer *renderer, const SceneText *of)
     return made;
 }
 
-/* Errors of a picture: distances where both meet the body; and pixels in which only one of them
- * does. */
+/* Errors of a picture: distances where both hit the object; and the number of pixels that only
+ * one hits. */
 typedef struct {
     double off[PIXELS];
     int count, disagree;
@@ -99,7 +99,7 @@ static double above(const Ray *ray, double t)
     return ray->at[2] + t * ray->way[2] - strtod(WAVE, NULL) * sin(7 * x + 3 * y);
 }
 
-/* Where the ray first comes below the wave over the square; infinite: nowhere. */
+/* Distance at which the ray first passes below the wave over the square; infinite: never. */
 static double march(const Ray *ray)
 {
     enum { STEPS = 400, HALVES = 50 };
@@ -117,7 +117,7 @@ static double march(const Ray *ray)
     return INFINITY;
 }
 
-/* True distance at a pixel. NAN beside an outline: there rays a third of a pixel away hit another
+/* True distance at a pixel. NAN near an outline, where rays a third of a pixel away hit another
  * place. */
 static double find_truth(const Scene *scene, int k)
 {
@@ -133,8 +133,8 @@ static double find_truth(const Scene *scene, int k)
     return truth;
 }
 
-/* From the side, so that crests hide what is behind them. A grid of 32 parts is off by what its
- * triangles are; traced, it is off by what floats are. */
+/* From the side, so that crests hide surfaces behind them. A grid of 32 segments has the error
+ * of its triangles; ray marching only that of floats. */
 static void a_wave_is_that_of_its_closed_form(void **state)
 {
     (void)state;
@@ -175,7 +175,7 @@ static void a_wave_is_that_of_its_closed_form(void **state)
 
 /* -- against meshes, finely divided */
 
-/* A body, what its reference and the others are divided into. */
+/* An object, and the subdivisions of its reference and of the others. */
 typedef struct {
     const char *body, *fine, *traced, *grid;
     int outlines; /* pixels that only one has, at most: what closes hard edges has many */
@@ -203,8 +203,8 @@ static void judge_normals(const float *normal, const float *wanted, Judged *judg
     }
 }
 
-/* Distances by Embree's rays, and normals, of a body whose base is curved, and of one with hard
- * edges that is mirrored: what they are off is what the reference's own triangles are. */
+/* Distances by Embree's rays, and normals, of an object with a curved base, and of a mirrored
+ * one with hard edges: the error is that of the reference's own triangles. */
 static void bodies_are_those_of_fine_meshes(void **state)
 {
     (void)state;
@@ -272,7 +272,7 @@ static const struct {
                   ", transform: { scale: [0.5, -0.7, 0.6], translation: [0.7, 0, 0.2], rotation: "
                   "[0.4, 1, 2] } }\n"}};
 
-/* Distances relative to themselves; of parallel rays, depths. */
+/* Relative errors of distances; of parallel rays, of depths. */
 static void judge_depths(const float *depth, const float *wanted, Judged *judged)
 {
     judged->count = judged->disagree = 0;
@@ -313,7 +313,7 @@ static void all_ways_are_traced(void **state)
     gl_close(gl);
 }
 
-/* In tiles a picture is what it is in one, but where a pixel's centre meets an edge. */
+/* In tiles a picture is unchanged, except where a pixel's center is on an edge. */
 static void tiles_are_traced(void **state)
 {
     (void)state;
@@ -348,8 +348,8 @@ static int differing(const float *a, const float *b)
     return count;
 }
 
-/* Sun, lamp and area light over a body and the ground below it: as of a fine mesh, and nearer to it
- * than a grid's. */
+/* Sun, lamp and area light over an object and the ground: shadows equal those of a fine mesh,
+ * and are nearer to them than a grid's. */
 static void shadow_maps_see_what_is_traced(void **state)
 {
     (void)state;
@@ -393,7 +393,7 @@ static void says(GlContext *gl, const SceneText *of, const char *line, bool want
     frame_forget(scene, document);
 }
 
-/* Pictures that go by triangles have the grid: bit for bit. */
+/* Methods that need triangles use the grid: bit for bit. */
 static void exact_shadows_have_the_grid(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* Frames against a reference in double (frame/reference_light.h), in every way there is; the depth
- * of planes; tones; what cannot be drawn. */
+/* Frames against a reference in double (frame/reference_light.h), with every pipeline variant;
+ * the depth of planes; tone mapping; scenes that cannot be drawn. */
 /* ctest: seconds=30 */
 #include "tests/test.h"
 #include "tests/frame/frame_compare.h"
@@ -21,7 +21,7 @@ typedef struct {
 #define POINT                                                                                      \
     "lights: [{ light: Point, position: [1, -4, 4], color: [1, .8, .6], intensity: 12 }]\n"
 #define MATT "{ material: Phong, diffuse: [.8, .6, .4] }"
-/* Colours that the layout holds exactly, here and in all pictures: it has 16 bits for a diffuse
+/* Colors that the layout stores exactly, here and in all pictures: it has 16 bits for a diffuse
  * component, 10 for others. */
 #define GLOSSY                                                                                     \
     "{ material: Phong, diffuse: [.2, .4, .6], specular: [0.3333333333333333, "                    \
@@ -128,7 +128,7 @@ static const PictureCase pictures[] = {
                           "}]\n"},
 };
 
-/* All pictures by these options; half of the pixels within `median`. */
+/* Compares all pictures with these options; half of the pixels within `median`. */
 static void compare_all(const MatcOptions *options, double median)
 {
     static Spread spread;
@@ -148,7 +148,7 @@ static void compare_all(const MatcOptions *options, double median)
     assert_int_equal(faults, 0);
 }
 
-/* Normals come back as they were: half of the pixels are as close as in floats. */
+/* Normals are unquantized: half of the pixels are as accurate as in floats. */
 static void against_the_reference(void **state)
 {
     (void)state;
@@ -156,7 +156,7 @@ static void against_the_reference(void **state)
     compare_all(&options, 4e-7);
 }
 
-/* Every number as it is: what the passes themselves are off. */
+/* Unquantized floats: the error of the passes themselves. */
 static void in_floats(void **state)
 {
     (void)state;
@@ -166,8 +166,8 @@ static void in_floats(void **state)
     matc_layout_free(layout);
 }
 
-/* The entries of passes over all pixels give the same, and so do the depth ranges of clip space,
- * but for what half of a float's bits lose. */
+/* Fragment and compute entries of full-screen passes agree, and so do both depth ranges of clip
+ * space, except that one of them loses half of a float's bits. */
 static void every_way(void **state)
 {
     (void)state;
@@ -198,8 +198,8 @@ static void every_way(void **state)
 
 /* -- the depth of planes */
 
-/* near / distance, of a plane 1 below the eye: 4 ULP of what the ray in double says, to the
- * horizon, by drivers of both depth ranges. */
+/* Depth is near / distance, for a plane 1 below the eye: within 4 ULP of the ray in double, up
+ * to the horizon, with both depth ranges. */
 static void planes_are_deep(void **state)
 {
     (void)state;
@@ -230,9 +230,8 @@ static void planes_are_deep(void **state)
     frame_forget(scene, document);
 }
 
-/* A plane throws no shadow on itself, however far away it is seen, by drivers of both depth ranges.
- * One camera stands a thousand units from the world's origin, where floats are 6e-5 apart, and sees
- * from a near plane at 0.1. */
+/* A plane casts no shadow on itself at any distance, with both depth ranges. One camera is a
+ * thousand units from the world's origin, where floats are 6e-5 apart, with a near plane at 0.1. */
 static void planes_are_lit(void **state)
 {
     (void)state;

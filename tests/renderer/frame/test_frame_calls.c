@@ -1,5 +1,5 @@
-/* Calls of frames: a second frame only draws, materials share programs, views leave out passes that
- * nobody reads. */
+/* GL calls of frames: a second frame only draws, materials share programs, views omit unused
+ * passes. */
 /* ctest: seconds=41 */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
@@ -98,7 +98,7 @@ static const char busy[] = CAMERA POINT
     "- { object: Plane, material: glass, transform: { translation: [0, 0, .1] } }\n"
     "sky: { material: RGBA, b: .5 }\n";
 
-/* A frame of it, in so many draws, without another call. */
+/* Draws a second frame with exactly `expected` draw calls, and no other GL call. */
 static void draw_again(Renderer *renderer, int expected)
 {
     calls = draws = 0;
@@ -177,7 +177,7 @@ static void tones_and_edges_only_draw(void **state)
 
 /* -- what there is */
 
-/* Materials that differ in numbers only are drawn with one text; their numbers are their own. */
+/* Materials that differ only in constants share a program; each keeps its constants. */
 static void programs_are_shared(void **state)
 {
     (void)state;

@@ -1,4 +1,5 @@
-/* Scenes that change, against scenes that are drawn anew; what each change makes and writes. */
+/* Changed scenes against newly opened ones; the objects and buffers that each change creates and
+ * writes. */
 /* ctest: seconds=14 */
 #include "tests/test.h"
 #include "tests/frame/frame_calls.h"
@@ -50,8 +51,8 @@ static float *read_frame(const Changing *c)
     return rgba;
 }
 
-/* Nothing was made for the change, so many bytes were written, and the picture is that of a
- * renderer that sees the scene for the first time. */
+/* Checks that the change made no object and wrote at most `most` bytes, and that the picture
+ * equals that of a new renderer. */
 static void assert_as_new(const Changing *c, long most)
 {
     assert_int_equal(frame_calls.made, 0);
@@ -77,13 +78,13 @@ static void changes(void **unused)
     Scene *scene = c.scene;
     scene->objects[3].world_from_local.m[12] += .25;
     assert_true(renderer_changed_objects(c.renderer, 3, 1));
-    assert_as_new(&c, 128 + 4 * 120); /* its row, and who is in view */
+    assert_as_new(&c, 128 + 4 * 120); /* its row, and the list of visible objects */
     for (int i = 0; i < scene->object_count; i++)
         scene->objects[i].world_from_local.m[14] += .1 * i / scene->object_count;
     assert_true(renderer_changed_objects(c.renderer, 0, scene->object_count));
     assert_as_new(&c, (128 + 4) * 120);
     for (int i = 0; i < 3; i++)
-        scene->objects[9].world_from_local.m[i] *= -1; /* its triangles turn round: another group */
+        scene->objects[9].world_from_local.m[i] *= -1; /* its winding is flipped: another group */
     assert_true(renderer_changed_objects(c.renderer, 9, 1));
     assert_as_new(&c, (128 + 12) * 120);
     scene->camera.position[0] += 1;
@@ -100,7 +101,8 @@ static void changes(void **unused)
     free(text);
 }
 
-/* As many as before, but others; then the last of several moves, which is what is seen. */
+/* An equal number of other objects becomes visible; then of several moves only the last is
+ * visible. */
 static void others_in_view(void **unused)
 {
     (void)unused;
@@ -131,7 +133,7 @@ static void others_in_view(void **unused)
     close_changing(&c);
 }
 
-/* Params of a material are its own, though others have its program. */
+/* Params belong to a material, though others share its program. */
 static void params(void **unused)
 {
     (void)unused;
@@ -158,7 +160,7 @@ static void params(void **unused)
     close_changing(&c);
 }
 
-/* The next scene has the programs and meshes of the one before; those that it lacks go. */
+/* The next scene reuses programs and meshes of the previous one; unused ones are freed. */
 static void the_next_scene(void **unused)
 {
     (void)unused;
@@ -187,7 +189,7 @@ static void the_next_scene(void **unused)
     close_changing(&c);
 }
 
-/* Cascades go with the camera: their maps are drawn again, into what is there. */
+/* Cascades follow the camera: their maps are redrawn into the existing textures. */
 static void cascades(void **state)
 {
     (void)state;

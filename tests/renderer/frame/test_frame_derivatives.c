@@ -1,5 +1,5 @@
-/* No program that the renderer hands to the driver has an implicit derivative in non-uniform
- * control flow: glslang makes SPIR-V of the text, whose blocks are walked. */
+/* No program that the renderer gives to the driver has an implicit derivative in non-uniform
+ * control flow: glslang compiles the text to SPIR-V, whose blocks are walked. */
 /* ctest: unsanitized */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
@@ -58,8 +58,8 @@ static void draw_scene(const char *path, const char *text, RendererOptions *how)
     frame_forget(scene, document);
 }
 
-/* Glass in lists and peeled, beside alpha that cuts; shadows by silhouettes and by volumes,
- * which write slopes; the positions view. */
+/* Glass in lists and peeled, with alpha tests; silhouette shadows and shadow volumes, which
+ * store slopes; the positions view. */
 static void renderer_derives_unconditionally(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* Refusals of a driver, or of a set of materials: the material is named, with its place; the format
- * of a target; a mesh that is too large. */
+/* Errors of a driver, or of a set of materials: the message names the material and its place,
+ * the format of a target, or a mesh that is too large. */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include <stdio.h>
@@ -98,7 +98,8 @@ static GLenum refuse_halves(GLenum target)
                                 : fake.driver.CheckFramebufferStatus(target);
 }
 
-/* The format is named, and nothing is left: the next renderer, on a driver that can, draws. */
+/* The message names the format, and no state remains: the next renderer, on a capable driver,
+ * draws. */
 static void targets_are_named(void **state)
 {
     (void)state;
@@ -130,7 +131,7 @@ static void targets_are_named(void **state)
     frame_forget(scene, document);
 }
 
-/* A file of 257 MiB that takes no room on the disk. */
+/* A sparse file of 257 MiB, without disk space. */
 static void meshes_too_large(void **state)
 {
     (void)state;
@@ -154,7 +155,7 @@ static void meshes_too_large(void **state)
     assert_true(!remove(path) && !rmdir(folder));
 }
 
-/* Shadow maps are counted before they are asked for: in layers of the driver's, and in bytes. */
+/* The memory of shadow maps is checked before the allocation: the driver's layers, and bytes. */
 static void shadow_maps(void **state)
 {
     (void)state;
@@ -193,8 +194,8 @@ static void shadow_maps(void **state)
     gl_close(gl);
 }
 
-/* A host may begin with an empty scene: of no method of indirect light is there a program that asks
- * materials which there are not. */
+/* A host may start with an empty scene: every method of indirect light must work without
+ * materials. */
 static void nothing_stands_there(void **state)
 {
     (void)state;

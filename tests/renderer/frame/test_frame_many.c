@@ -1,5 +1,5 @@
-/* Many objects: instances against objects drawn one by one, and against what is not culled; how
- * many calls it takes. */
+/* Many objects: instances against objects drawn individually and against drawing without
+ * culling; the number of draw calls. */
 /* ctest: unsanitized seconds=16 */
 #include "tests/test.h"
 #include "runtime/gpu_scene/cull.h"
@@ -20,7 +20,7 @@ static bool same(const float *a, const float *b, const Scene *scene)
 
 /* -- what is out of view */
 
-/* A picture with culling is the picture without, bit for bit, with instances and without them. */
+/* A picture with culling equals one without, bit for bit, with instances and without. */
 static void nothing_in_view_is_left_out(void **unused)
 {
     (void)unused;
@@ -43,7 +43,7 @@ static void nothing_in_view_is_left_out(void **unused)
     gl_close(gl);
 }
 
-/* Pixels whose normal is turned against that of one beside them. */
+/* Number of pixels whose normal is opposite to a neighbor's. */
 static int count_turned(const float *normals, int width, int height)
 {
     int turned = 0;
@@ -83,7 +83,7 @@ static void write_ball(const char *path)
     assert_int_equal(fclose(file), 0);
 }
 
-/* A sphere, the renderer's and a file's, from four places. A rasteriser, which rounds corners,
+/* A sphere, the renderer's and a file's, from four places. A rasterizer, which rounds corners,
  * shows its inside at a pixel of its rim now and then; the first place is one of these, of the mesh
  * the second. */
 static void no_inside_at_a_rim(void **unused)
@@ -122,8 +122,8 @@ static void no_inside_at_a_rim(void **unused)
     gl_close(gl);
 }
 
-/* From within a body, and where the nearest that is seen cuts into one, insides are there; from
- * outside all is as without culling. */
+/* From inside a mesh, and where the near plane cuts into one, backfaces are visible; from
+ * outside the picture equals that without culling. */
 static void insides_are_seen_from_within(void **unused)
 {
     (void)unused;
@@ -159,7 +159,8 @@ static void insides_are_seen_from_within(void **unused)
     gl_close(gl);
 }
 
-/* Unit boxes beside the view, a little out of it and a little in it; angles by closed forms. */
+/* Unit boxes at the frustum's sides, slightly outside and slightly inside; angles by closed
+ * forms. */
 static void boxes_at_the_planes(void **unused)
 {
     (void)unused;
@@ -172,7 +173,7 @@ static void boxes_at_the_planes(void **unused)
                                 .near = 2};
     const CullBox box = {{-1, -1, -1}, {1, 1, 1}};
     static const struct {
-        double x, y, z; /* of the centre, from the eye: to the right, ahead, up */
+        double x, y, z; /* of the center, from the eye: to the right, ahead, up */
         bool seen;
     } cases[] = {{0, 10, 0, true},       {0, -10, 0, false},     {0, .99, 0, false},
                  {0, 1.01, 0, true},     {23.01, 10, 0, false},  {22.99, 10, 0, true},
@@ -203,8 +204,8 @@ static void boxes_around_meshes(void **unused)
 
 /* -- instances */
 
-/* By uniforms, object by object, the same is drawn: depth bit for bit, light but for a step of a
- * normal's code. */
+/* Drawing objects individually by uniforms gives the same: depth bit for bit, light except for
+ * one step of a normal's code. */
 static void instances_or_not(void **unused)
 {
     (void)unused;
@@ -289,8 +290,8 @@ static char *rows_text(int count)
     return text;
 }
 
-/* Eight times the objects and materials are as many calls of every kind, and eight times the
- * bytes. */
+/* Eight times as many objects and materials need equally many calls of every kind, and eight
+ * times the bytes. */
 static void calls_do_not_grow(void **unused)
 {
     (void)unused;

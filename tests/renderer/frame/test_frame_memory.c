@@ -1,5 +1,5 @@
-/* Targets that lie in each other's memory: bytes a pixel, counted by hand, and the picture that
- * targets of their own give, bit for bit. */
+/* Render targets that alias each other's memory: bytes per pixel, counted by hand, and pictures
+ * equal bit for bit to those with separate targets. */
 /* ctest: seconds=25 */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
@@ -8,7 +8,7 @@
 
 enum { WIDTH = 96, HEIGHT = 64, COMPONENTS = WIDTH * HEIGHT * 4 };
 
-/* Matt and glossy solids, a pane before them, a plane to the horizon. */
+/* Diffuse and glossy solids, a pane in front, a plane to the horizon. */
 static const char scene_text[] =
     "image: { width: 96, height: 64 }\ncamera: { camera: Perspective, position: [.5, -6, 2.5], "
     "target: [0, 0, .5], "
@@ -46,7 +46,7 @@ static const struct {
 };
 enum { CASES = sizeof cases / sizeof *cases, SHARED = 0, SEPARATE, FRAGMENTS };
 
-/* A second frame, as what is in the memory then is what the first left there. */
+/* Draws a second frame, whose memory contains leftovers of the first. */
 static void draw(const Scene *scene, const MatcOptions *options, int number, int way, float *rgba)
 {
     GlContext *gl = frame_context();

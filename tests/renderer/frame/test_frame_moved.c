@@ -1,6 +1,6 @@
-/* Scenes far from the world's origin, under OSMesa: examples moved by 1e6 and by the earth's radius
- * have the pictures that they have where they are, and turned with their cameras nearly so; cameras
- * that go far; what reads the position in the world. */
+/* Scenes far from the world's origin, under OSMesa: examples moved by 1e6 and by the earth's
+ * radius have unchanged pictures, and rotated with their cameras nearly so; cameras that travel
+ * far; materials that read the world position. */
 /* ctest: unsanitized seconds=130 */
 #include "tests/test.h"
 #include "runtime/renderer/matc_render.h"
@@ -248,7 +248,7 @@ static void examples_are_turned(void **state)
 
 /* -- cameras that go far */
 
-/* One pair stands at two places, and the camera goes from one to the other. */
+/* Two identical pairs of objects, and the camera moves from one to the other. */
 static void the_origin_follows(void **state)
 {
     (void)state;
@@ -291,7 +291,7 @@ static void the_origin_follows(void **state)
     gl_close(gl);
 }
 
-/* A host says and reads where things are in the world. */
+/* A host passes and reads world positions. */
 static void a_host_speaks_of_the_world(void **state)
 {
     (void)state;

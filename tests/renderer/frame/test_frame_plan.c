@@ -1,6 +1,6 @@
-/* Plans of frames, worked out by hand: which passes run, which targets there are, which share
- * memory. And of random lists of passes: what runs finds what it reads, and no two that live at
- * once share. And of the renderer's own list. */
+/* Frame graphs worked out by hand: which passes run, which targets are allocated, which share
+ * memory. For random lists of passes: inputs of a running pass were written before, and no two
+ * live targets share memory. Also the renderer's own list. */
 #include "tests/test.h"
 #include <stdlib.h>
 #include <string.h>
@@ -64,8 +64,8 @@ static void textures_are_shared(void **state)
     assert_int_equal(buffer.memory[3][0], -1);
 }
 
-/* A pass that reads of a target the pixel that it writes may write to the target's memory, if
- * nobody reads it after. */
+/* A pass that reads only the written pixel of a target may write to the target's memory, if no
+ * later pass reads the target. */
 static void pixels_are_replaced(void **state)
 {
     (void)state;
@@ -74,12 +74,12 @@ static void pixels_are_replaced(void **state)
     FramePlan plan;
     frame_plan(&request, &plan);
     assert_int_equal(plan.memory_count, 1);
-    passes[1].own = 0; /* it looks beside the pixel: y is apart */
+    passes[1].own = 0; /* the pass reads other pixels: y needs its own memory */
     frame_plan(&request, &plan);
     assert_int_equal(plan.memory_count, 2);
     assert_int_not_equal(plan.memory[0][0], plan.memory[1][0]);
     passes[1].own = X;
-    passes[2].reads |= X; /* x lives on */
+    passes[2].reads |= X; /* x is still read later */
     frame_plan(&request, &plan);
     assert_int_equal(plan.memory_count, 2);
     passes[2].reads = Y;
@@ -89,7 +89,7 @@ static void pixels_are_replaced(void **state)
     assert_int_not_equal(plan.memory[1][0], plan.memory[3][0]);
 }
 
-/* A pass that changes a target needs what was there; one that fills it does not. */
+/* A pass that modifies a target needs its content; one that overwrites the target does not. */
 static void changes_keep(void **state)
 {
     (void)state;
@@ -107,8 +107,8 @@ static void changes_keep(void **state)
     assert_null(frame_plan_reason(&request, &plan, 0));
 }
 
-/* Every piece of memory knows which texture of which target wrote to it last: 8 times the target,
- * and the texture. */
+/* Simulated memory: each piece records the texture that wrote last: 8 times the target, plus the
+ * texture. */
 typedef struct {
     const FramePlanRequest *request;
     const FramePlan *plan;
@@ -116,7 +116,7 @@ typedef struct {
     unsigned written; /* targets */
 } Player;
 
-/* Those of these targets that were written exist. */
+/* Checks that the written ones of these targets still exist. */
 static void check_there(const Player *p, unsigned targets)
 {
     for (int t = 0; t < p->request->target_count; t++)
@@ -137,8 +137,8 @@ static void write_to(Player *p, unsigned targets)
     p->written |= targets;
 }
 
-/* Inputs of a pass exist when it begins; inputs that it reads beside a pixel, and its outputs, when
- * it ends. */
+/* Inputs of a pass must exist when it begins; inputs read at other pixels, and outputs, when it
+ * ends. */
 static void play(const FramePlanRequest *r, const FramePlan *plan)
 {
     Player player = {.request = r, .plan = plan};
@@ -196,8 +196,8 @@ static unsigned passes_of(const char *const *names)
 }
 #define PASSES(...) passes_of((const char *const[]){__VA_ARGS__, NULL})
 
-/* The plan of a scene for which these passes have something to do. A layer has the G-buffer's
- * textures, no two others are alike. */
+/* The plan of a scene in which these passes have work. A layer has the G-buffer's textures; all
+ * other formats differ. */
 static FramePlan plan_of_frame(unsigned allowed, FrameTarget wanted)
 {
     FramePlanPass rows[FRAME_PLAN_MAX];

@@ -1,5 +1,5 @@
-/* Layouts that C and GLSL share: offsets in C's enum and in the embedded GLSL equal sums made by
- * hand. */
+/* Data layouts shared by C and GLSL: offsets in C's enum and in the embedded GLSL equal sums
+ * made by hand. */
 #include "gen/bisection_layout.h"
 #include "gen/render_text.h"
 #include "tests/test.h"

@@ -1,5 +1,5 @@
-/* The GL layer, in software: contexts, framebuffers, programs in every language, what is said of
- * faults. test_gl egl: by EGL; status 77 where there is none. */
+/* The GL layer on a software driver: contexts, framebuffers, programs in every GLSL version,
+ * error messages. test_gl egl: by EGL; exit status 77 without EGL. */
 #include "tests/test.h"
 #include "runtime/gl/framebuffer.h"
 #include "runtime/gl/mesh.h"

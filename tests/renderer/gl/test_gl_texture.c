@@ -1,5 +1,6 @@
-/* Textures of the GL layer, in software: what they hold, codes of sRGB, footprints. test_gl_texture
- * egl: by EGL, whose drivers take more samples along a footprint; status 77 where there is none. */
+/* Textures of the GL layer on a software driver: their texels, sRGB codes, footprints.
+ * test_gl_texture egl: by EGL, whose drivers take more anisotropic samples; exit status 77
+ * without EGL. */
 #include "tests/test.h"
 #include "runtime/gl/framebuffer.h"
 #include "runtime/gl/mesh.h"
@@ -111,8 +112,8 @@ static void every_code_of_srgb_is_decoded(void **state)
     gl_close(gl);
 }
 
-/* Stripes of four texels, seen so flat that a pixel covers a quarter of a texel across them and 16
- * along: greatest less least value of the pixels. */
+/* Stripes of four texels at a grazing angle, so that a pixel covers a quarter of a texel across
+ * them and 16 along: returns the range of the pixels' values. */
 static double contrast(GlContext *gl, int anisotropy)
 {
     enum { SIDE = 64, STRIPE = 4 };

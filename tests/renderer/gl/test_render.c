@@ -1,6 +1,6 @@
-/* The bridge from a MatcProgram to GL: what is shared is there once, what is a material's own stays
- * its own, numbers change in their buffer, blocks are filled as the driver lays them out, what
- * fails says so and leaves nothing behind. */
+/* The bridge from a MatcProgram to GL: shared objects exist once, a material's own objects stay
+ * separate, constants are updated in their buffer, blocks are filled in the driver's layout, and
+ * a failure is reported and leaks nothing. */
 #include "tests/test.h"
 #include "runtime/gpu_material/field.h"
 #include "runtime/gpu_material/reader.h"
@@ -82,7 +82,7 @@ static void discard(const Compiled *compiled)
     matc_document_free(compiled->document);
 }
 
-/* By the fragment program and a screen. */
+/* Compiles the fragment program with a full-screen vertex program. */
 static Material make(Fixture *f, MatcProgram *program, const char *version)
 {
     Material made;
@@ -235,7 +235,7 @@ static void numbers_change_in_place(void **state)
         assert_draws(&f, &material, 0.1f, 0.2f, 0.3f);
         assert_buffers(blocks, blocks, 0);
         assert_draws(&f, &material, 0.1f, 0.2f, 0.3f);
-        assert_buffers(blocks, blocks, 0); /* what did not change is not sent again */
+        assert_buffers(blocks, blocks, 0); /* unchanged values are not uploaded */
         assert_true(material_set_numbers(&material, two.program));
         assert_draws(&f, &material, 0.9f, 0.8f, 0.7f);
         assert_buffers(blocks, blocks, blocks);
@@ -261,8 +261,8 @@ static void record_parameter(GLenum target, GLenum name, GLint value)
         set_parameter(target, name, value);
 }
 
-/* A picture asks for 16 by default, for one along the pixel's own footprint; it gets the least of
- * that and what there is. */
+/* A picture requests 16 anisotropic samples by default, 1 along the pixel's own footprint; the
+ * driver's maximum limits the request. */
 static void anisotropy_is_what_the_driver_has(void **state)
 {
     (void)state;
@@ -293,8 +293,8 @@ static void anisotropy_is_what_the_driver_has(void **state)
     }
 }
 
-/* Every type that matc writes into a block, at the driver's offsets; what is around a member stays
- * as it was. */
+/* Every type that matc writes into a block, at the driver's offsets; bytes around a member stay
+ * unchanged. */
 static void blocks_hold_every_type(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* Shapes and matrices of the GL layer: which way they turn, that derivatives are those of the
- * position, and which are closed. */
+/* Shapes and matrices of the GL layer: orientation of rotations, tangents equal the derivatives
+ * of the position, and closed shapes are reported as closed. */
 #include "tests/test.h"
 #include "runtime/gl/matrix.h"
 #include "runtime/gl/mesh.h"
@@ -137,8 +137,7 @@ static void bodies_are_known(void **state)
     }
 }
 
-/* A copy of a shape at 4 on an axis, its triangles turned or not, and as large as is said; behind
- * it in the lists. */
+/* Appends a copy of a shape at 4 on an axis, scaled, with its winding optionally flipped. */
 static void add_copy(Shape *shape, double size, bool turned)
 {
     const int vertices = shape->vertex_count, indices = shape->index_count;
@@ -159,8 +158,8 @@ static void add_copy(Shape *shape, double size, bool turned)
     shape->index_count *= 2;
 }
 
-/* Each part has an outside of its own: a small one that is inside out is found beside a large one,
- * far from the origin, and within it. */
+/* Each part has its own outside: a small inside-out part is found next to a large one, far from
+ * the origin, and inside it. */
 static void each_part_is_looked_at(void **state)
 {
     (void)state;

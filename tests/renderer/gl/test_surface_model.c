@@ -1,5 +1,5 @@
-/* Surface models beside Phong, which the renderer has never heard of: Lambert's, which is Phong
- * without its lobe, and a flat one, whose picture is its slot. No pass is another for them. */
+/* Surface models that the renderer does not know: Lambert's, which is Phong without its lobe,
+ * and a flat one, whose picture is its slot. No other pass changes for them. */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include <math.h>
@@ -104,8 +104,8 @@ static void lambert_is_phong_without_a_lobe(void **state)
     close_rig(&rig);
 }
 
-/* A pixel is the diffuse slot of what is there; a quarter of it, where both sides of the sphere lie
- * over it: .1 + .1 / 2. */
+/* A pixel is the diffuse slot of its surface; a quarter transmittance, where both sides of the
+ * sphere cover it: .1 + .1 / 2. */
 static void flat_is_a_slot(void **state)
 {
     (void)state;

@@ -1,6 +1,6 @@
-/* The mask of blue noise (runtime/indirect/rays/blue_noise.c): it is what void-and-cluster gives,
- * and its spectrum has next to nothing low, whatever white noise has. `build/tests/test_blue_noise
- * print`: its rows, as that file has them. */
+/* The blue noise mask (runtime/indirect/rays/blue_noise.c): equals the result of
+ * void-and-cluster, and its spectrum has almost no low frequencies, compared with white noise.
+ * `build/tests/test_blue_noise print` prints its rows in that file's format. */
 #include "tests/test.h"
 #include "runtime/indirect/rays/blue_noise.h"
 #include "tests/vectors.h"
@@ -12,8 +12,8 @@
 enum { EDGE = BLUE_NOISE_EDGE, PIXELS = EDGE * EDGE, FIRST = PIXELS / 10, WIDTH_MAX = EDGE / 2 };
 
 static uint32_t near_by[EDGE]
-                       /* what a point adds to the crowd of a place so far away: whole numbers, so
-                        * that sums don't depend on their order */
+                       /* contribution of a point to the density at an offset: integers, so that
+                        * sums do not depend on their order */
                        [EDGE];
 static uint64_t crowd[PIXELS];
 static bool is_point[PIXELS];
@@ -31,7 +31,7 @@ static void put(int at, bool point)
     }
 }
 
-/* The point in the densest crowd, or the empty place in the thinnest. */
+/* The point in the densest cluster, or the empty place in the largest void. */
 static int extreme(bool points)
 {
     int best = -1;
@@ -42,12 +42,12 @@ static int extreme(bool points)
     return best;
 }
 
-/* Ulichney 1993, on a torus: points at random move from the densest crowds to the largest voids
- * until they stand still; then the last are ranked as they are taken away, the densest first, and
- * the others as they are added, always in the largest void. */
+/* Void-and-cluster (Ulichney 1993) on a torus: random points move from the densest clusters to
+ * the largest voids until no point moves; then these are ranked as they are removed, densest
+ * first, and the others as they are added, always to the largest void. */
 static void make(void)
 {
-    const double width = 1.5; /* of the crowd's bell, in pixels */
+    const double width = 1.5; /* standard deviation of the density's Gaussian, in pixels */
     static bool first[PIXELS];
     uint32_t state = 14;
     memset(crowd, 0, sizeof crowd);
@@ -103,7 +103,8 @@ static double power(int (*rank)(int, int), double least, double most)
         for (int u = 0; u <= EDGE / 2; u++) {
             const double r = hypot(u, v < EDGE / 2 ? v : v - EDGE);
             double re = 0, im = 0;
-            if (r < least || r >= most || (u * 7 + v * 3) % 5) /* a fifth of them will do */
+            /* a fifth of the frequencies suffices */
+            if (r < least || r >= most || (u * 7 + v * 3) % 5)
                 continue;
             for (int i = 0; i < PIXELS; i++) {
                 const double turn = 2 * PI * ((u * (i % EDGE) + v * (i / EDGE)) % EDGE) / EDGE;
@@ -130,7 +131,10 @@ static void low_frequencies_are_missing(void **state)
 {
     (void)state;
     static const double rings[][3] = {
-        {1, 8, .005}, {8, 16, .1}, {20, 32, 3}}; /* ring, and the most of white noise's power */
+        /* ring of frequencies, and max share of white noise's power */
+        {1, 8, .005},
+        {8, 16, .1},
+        {20, 32, 3}};
     for (int i = 0; i < 3; i++) {
         const double blue = power(blue_noise_rank, rings[i][0], rings[i][1]),
                      white = power(white_rank, rings[i][0], rings[i][1]);
@@ -141,7 +145,7 @@ static void low_frequencies_are_missing(void **state)
     }
 }
 
-/* Each rank once: the values are spread evenly. */
+/* Each rank occurs once, so values are uniform. */
 static void ranks_are_all_there(void **state)
 {
     (void)state;

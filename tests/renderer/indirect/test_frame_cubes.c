@@ -1,11 +1,12 @@
-/* The view of voxels against small steps along each ray; what is refused. */
+/* The voxel view against small steps along each ray; refused settings. */
 #include "tests/test.h"
 #include "runtime/indirect/voxels/voxels.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame/frame_voxels.h"
 #include <stdlib.h>
 
-/* Goes along a pixel's ray in small steps: the component of the first full voxel, or -1. */
+/* Marches along a pixel's ray in small steps: returns the face axis of the first full voxel, or
+ * -1. */
 static int component_seen(const FrameVoxelsDrawn *d, int pixel, int width, int height)
 {
     const SceneCamera *camera = &d->scene->camera;

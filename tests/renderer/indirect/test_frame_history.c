@@ -1,5 +1,5 @@
-/* Temporal accumulation: means over sets of rays, where a camera or an object moves, and when it
- * stops. */
+/* Temporal accumulation: means over sets of rays, under a moving camera or object, and after the
+ * motion stops. */
 /* ctest: unsanitized */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
@@ -11,7 +11,7 @@
 
 enum { EDGE = 48, PIXELS = EDGE * EDGE, TEXT = 2048, SPHERE = 2 };
 
-/* A floor before a wall, and a ball between them and the camera. */
+/* A floor in front of a wall, with a ball between them and the camera. */
 static const char room[] =
     "image: { width: 48, height: 48 }\ncamera: { camera: Perspective, position: [.4, -4, 1.6], "
     "target: [0, 0, .7], "
@@ -24,7 +24,7 @@ static const char room[] =
     "- { object: Sphere, radius: .3, detail: 24, material: m, transform: { translation: [-.2, -.6, "
     ".6] } }\n";
 
-static GlContext *gl; /* all are drawn in one */
+static GlContext *gl; /* one context for all draws */
 
 static void open_rig(FrameRunning *rig, const char *keys, const char *view)
 {
@@ -53,8 +53,8 @@ static double apart(const float *a, const float *b)
 static FrameRunning one;
 static float all[4 * PIXELS], some[4 * PIXELS], single[4 * PIXELS];
 
-/* n sets are as exact as n times the rays at random are, or more so; n frames that keep are n sets;
- * and then no further ray goes out. */
+/* n sets are at least as exact as n times as many random rays; n accumulated frames equal n
+ * sets; and then no more rays are traced. */
 static void sets_are_averaged(void **state)
 {
     (void)state;
@@ -76,7 +76,7 @@ static void sets_are_averaged(void **state)
     }
 }
 
-/* As few sets as are as exact as it is said: a power of two of them. */
+/* The number of sets is the smallest power of two that reaches the stated error. */
 static void errors_are_as_stated(void **state)
 {
     (void)state;
@@ -99,7 +99,7 @@ static void errors_are_as_stated(void **state)
     }
 }
 
-/* Steps of a camera that circles and comes nearer. */
+/* Steps of a camera that circles and approaches. */
 static void turn(FrameRunning *rig, int step)
 {
     SceneCamera *camera = &rig->scene->camera;
@@ -109,8 +109,8 @@ static void turn(FrameRunning *rig, int step)
     assert_true(renderer_changed(rig->renderer, RENDERER_CAMERA));
 }
 
-/* While a camera moves, what is kept is nearer to the truth than one frame's rays, and differs less
- * from frame to frame. */
+/* Under camera motion the accumulated result is nearer to the truth than a single frame, and
+ * varies less from frame to frame. */
 static void paths_are_calmer(void **state)
 {
     (void)state;
@@ -137,8 +137,8 @@ static void paths_are_calmer(void **state)
         frame_running_close(&rigs[i]);
 }
 
-/* A ball jumps aside. What it hid has no history, but for what is smoothed over it from beside; in
- * the next frame little of the ball is left, of an ambient occlusion that was .3 off. */
+/* A ball jumps aside. The surface that it hid has no history except the denoised neighborhood;
+ * in the next frame little of the ball's ambient occlusion remains, which was off by .3. */
 static void nothing_is_left_behind_what_moves(void **state)
 {
     (void)state;
@@ -183,7 +183,7 @@ static void nothing_is_left_behind_what_moves(void **state)
 
 enum { STEPS = 14, SKIPPED = 8, TRAIL = 8 };
 
-/* Rolls on by one frame's way, .3 pixels in the middle. */
+/* Rolls the ball by one frame's distance, .3 pixels in the middle. */
 static void roll(FrameRunning *rig, int step)
 {
     double *m = rig->scene->objects[SPHERE].world_from_local.m;
@@ -195,7 +195,7 @@ static void roll(FrameRunning *rig, int step)
     assert_true(renderer_changed_objects(rig->renderer, SPHERE, 1));
 }
 
-/* Which pixels show the ball, in each frame: those whose depth is another when it lies below the
+/* Finds the pixels that show the ball in each frame, by comparing depths with the ball below the
  * floor. */
 static void find_ball(bool shown[STEPS][PIXELS])
 {
@@ -223,16 +223,16 @@ static bool was_shown(bool shown[STEPS][PIXELS], int step, int p)
     return was;
 }
 
-/* A ball that rolls on leaves no trail: where it was what is kept is nearer to the truth than a
- * frame alone, and all in all; on the ball, which is looked up where it was, it is no farther
- * off. */
+/* A rolling ball leaves no trail: on the surface that it uncovers, and overall, the accumulated
+ * result is nearer to the truth than a single frame; on the ball, which is reprojected, it is no
+ * farther off. */
 static void what_moves_is_followed(void **state)
 {
     (void)state;
     enum { BALL, BEHIND, ALL, AREAS };
     static const struct {
         const char *name;
-        double most; /* of what frames alone are off */
+        double most; /* max share of the single frames' error */
     } areas[AREAS] = {{"on the ball", .98}, {"where it was", .74}, {"all", .9}};
     static const char *const keys[] = {"samples: 48", "samples: 1", "history: 16"};
     static bool shown[STEPS][PIXELS];
@@ -266,9 +266,10 @@ static void what_moves_is_followed(void **state)
         frame_running_close(&rigs[i]);
 }
 
-/* A plate slides over a wall, so close before it that what was kept of the plate's front counts for
- * the wall, too: within a pixel, and turned alike. What it bares is no farther off than a frame
- * alone: what arrives at two places within a pixel of each other is alike, whatever stood there. */
+/* A plate slides over a wall, so close in front of the wall that the history of the plate also
+ * passes the rejection test for the wall: within a pixel, and with an equal normal. The
+ * uncovered wall is no farther off than a single frame, because light at places within a pixel
+ * of each other is alike. */
 static void what_slides_over_a_wall_lends_what_is_alike(void **state)
 {
     (void)state;
@@ -319,8 +320,8 @@ static void what_slides_over_a_wall_lends_what_is_alike(void **state)
         frame_running_close(i < 3 ? &rigs[i] : &depth);
 }
 
-/* A lamp that is half as bright from one frame to the next: so is the light that comes by other
- * surfaces, at once, but for noise. */
+/* A lamp halves its intensity between two frames: its indirect light follows at once, except for
+ * noise. */
 static void lamps_that_change_are_followed(void **state)
 {
     (void)state;
@@ -346,7 +347,8 @@ static void lamps_that_change_are_followed(void **state)
         frame_running_close(&rigs[i]);
 }
 
-/* Fragments keep what compute does; where it isn't asked for, nothing is kept. */
+/* Fragment programs accumulate like compute programs; without the setting nothing is
+ * accumulated. */
 static void ways_and_wants(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* Ambient occlusion and indirect light by what the picture shows, against closed forms; what
- * becomes of it in the light. */
+/* Screen-space ambient occlusion and indirect light, against closed forms; their effect on the
+ * lit picture. */
 /* ctest: seconds=20 */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
@@ -47,8 +47,8 @@ static void forget(Rig *rig, float *rgba)
     frame_forget(rig->scene, rig->document);
 }
 
-/* Nothing is around: no ray meets the plane that it leaves, however flatly it is seen, and no bit
- * is set. What voxels have of a plane is nothing. */
+/* An isolated plane is unoccluded: no ray hits the plane that it starts from, at any view angle,
+ * and no bit is set. A plane has no voxels. */
 static void planes_are_open(void **state)
 {
     (void)state;
@@ -84,9 +84,9 @@ static void planes_are_open(void **state)
     close_rig(&rig);
 }
 
-/* A wall at a share c of the radius: the part of the cosine over the hemisphere that it occludes,
- * of directions whose x is more than c: a segment of the unit disc. With weights 1 - c / x and 1 -
- * c^2 / x^2; of uniform directions half a cap. */
+/* Occlusion by a wall at a share c of the radius: the cosine-weighted share of directions whose
+ * x exceeds c, a segment of the unit disc. Also with weights 1 - c / x and 1 - c^2 / x^2; for
+ * uniform directions half a cap. */
 static double segment(double c) { return (acos(c) - c * sqrt(1 - c * c)) / PI; }
 static double segment_linear(double c)
 {
@@ -98,13 +98,13 @@ static double segment_quadratic(double c)
     return segment(c) - 2 * c * c / PI * (sqrt(1 - c * c) / c - acos(c));
 }
 static double cap(double c) { return (1 - c) / 2; }
-/* Uniform places in the half ball: half of the part that a plane cuts off a ball. */
+/* Share of uniform points in the half ball behind the plane: half of a ball's cap. */
 static double cap_volume(double c) { return (1 - c) * (1 - c) * (2 + c) / 4; }
 
 typedef struct {
     const char *keys;
     double (*kept)(double c);
-    bool light; /* the wall's light is looked at, too */
+    bool light; /* also compare the wall's light */
 } Corner;
 
 typedef struct {
@@ -114,9 +114,9 @@ typedef struct {
 
 static const double radius = 1.5;
 
-/* Means of 24 pixels along the wall's foot, as single ones are noisy; the next 24 to the sides of
- * the picture know too little of what is beside them. Within two pixels of the foot the picture has
- * no more than that. */
+/* Means of 24 pixels along the wall's foot, because single pixels are noisy; 24 pixels at the
+ * picture's sides are excluded, because they lack information outside of the picture. Within two
+ * pixels of the foot the picture has no more resolution. */
 static Off off_by(Rig *rig, const Corner *c, const float *rgba)
 {
     Off off = {0};
@@ -140,7 +140,8 @@ static Off off_by(Rig *rig, const Corner *c, const float *rgba)
     return off;
 }
 
-/* Floor z = 0 before a wall x = 0 of radiance 1: what it keeps off it also sends. */
+/* Floor z = 0 in front of a wall x = 0 of radiance 1: the wall sends as much light as it
+ * occludes. */
 static Off corner(Rig *rig, const Corner *c)
 {
     char text[TEXT];
@@ -211,7 +212,7 @@ static float *light_of(Rig *rig, const char *keys, const char *lights, const cha
 
 enum { UNSEEN, SEEN, NOTHING };
 
-/* By rays in double: what of a pixel the picture's middle sees. */
+/* By rays in double: the visibility of a pixel's point from the point at the picture's center. */
 static int is_seen(const Tracer *tracer, const Hit *middle, const Hit *hit)
 {
     Ray ray;
@@ -234,14 +235,14 @@ static int is_seen(const Tracer *tracer, const Hit *middle, const Hit *hit)
                : UNSEEN;
 }
 
-/* The picture's center, on a wall, sees the ground before it, of which a box hides a part. Steps of
- * rays, and voxels, decide near the border of the visible part: two pixels. */
+/* The point at the picture's center, on a wall, sees the ground in front, partly hidden by a
+ * box. Within two pixels of the border of the visible part, ray steps and voxels decide. */
 static void middles_see(void **state)
 {
     (void)state;
     static const struct {
         const char *keys;
-        /* share of pixels that may be wrong: the march meets what it is only behind of */
+        /* max share of wrong pixels: the march may hit a surface that is only behind the ray */
         double most;
     } methods[] = {{"march, steps: 96", .06},
                    {"march, march: voxels, steps: 96", .02},
@@ -291,8 +292,8 @@ static void middles_see(void **state)
     close_rig(&rig);
 }
 
-/* Light is that from around times ambient occlusion, and indirect light times diffuse and gain, and
- * what comes from lights with a place, dimmed or not. */
+/* The light is ambient light times ambient occlusion, plus indirect light times diffuse and
+ * gain, plus direct light, optionally dimmed. */
 static void light_is_their_sum(void **state)
 {
     (void)state;
@@ -328,8 +329,8 @@ static void light_is_their_sum(void **state)
     close_rig(&rig);
 }
 
-/* Passes in fragments draw what computed ones do; a picture that takes more memory than there is to
- * be is drawn at once all the same. */
+/* Fragment programs draw the same as compute programs; a picture that exceeds the memory limit
+ * is still drawn at once. */
 static void fragments_and_memory_change_nothing(void **state)
 {
     (void)state;
@@ -355,8 +356,8 @@ static void fragments_and_memory_change_nothing(void **state)
     close_rig(&rig);
 }
 
-/* A wall that stands beside the picture is not known: nothing of its light arrives, and none is
- * kept off. */
+/* Screen-space methods do not know a wall outside the picture: it neither sends light nor
+ * occludes. */
 static void what_is_beside_the_picture_is_not_known(void **state)
 {
     (void)state;

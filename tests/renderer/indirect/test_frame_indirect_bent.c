@@ -1,6 +1,6 @@
-/* Bent normals, the means of directions that are open, against rays of Embree; and what light of
- * half a sky would be by them, against the same rays: by ambient occlusion times what arrives along
- * the normal, and along the bent one; and what it is, by the rays that meet nothing, and with
+/* Bent normals, the mean unoccluded directions, against Embree's rays; and the light of a half
+ * sky, against the same rays: estimated by ambient occlusion times the irradiance along the
+ * normal and along the bent normal, and as rendered, by the rays that miss, and with
  * `directional: false`. */
 /* ctest: seconds=10 */
 #include "tests/test.h"
@@ -32,7 +32,7 @@ static const char body[] =
     "rotation: [0, 0, .4] "
     "} }\n";
 
-/* Light 1 comes from half of the sky, and none from the other half: the centers of the bright
+/* A half sky of light 1, and none from the other half: directions to the centers of the bright
  * halves. */
 static const double skies[SKIES][3] = {{0, 0, 1}, {0, -.8, .6}};
 
@@ -46,7 +46,7 @@ typedef struct {
     int count;
 } Truth;
 
-/* Even in the cosine: one ray in the middle of each cell of the unit square. */
+/* Cosine-weighted stratified rays: one in the middle of each cell of the unit square. */
 static void look_around(const Tracer *tracer, const Hit *hit, Place *place)
 {
     const double *n = hit->normal;
@@ -93,7 +93,7 @@ static void find_truth(const Scene *scene, Truth *truth)
     reference_close(&tracer);
 }
 
-/* By keys of `indirect:`, and lights. */
+/* Draws by keys of `indirect:`, and lights. */
 static float *drawn_by(GlContext *gl, Renderer *renderer, const char *texts[2], Truth *truth,
                        SceneCamera *camera)
 {
@@ -123,9 +123,9 @@ static void to_world(const SceneCamera *camera, const float *eye, double way[3])
     reference_normalize(way);
 }
 
-/* Half a sky, over an even one: light that arrives from a cap around a direction with the cosine's
- * share `open`, as if the border crossed it evenly. If all is open it is the hemisphere's formula.
- * */
+/* Light of a half sky relative to an even one, for light from a cap with the cosine-weighted
+ * share `open`, as if the sky's border crossed the cap linearly. For an unoccluded point this is
+ * the hemisphere's formula. */
 static double share_of_cap(double cosine, double open)
 {
     return .5 + .5 * fmax(-1, fmin(1, cosine / sqrt(fmax(open, 1e-6))));
@@ -135,7 +135,7 @@ static void bent_normals_are_those_of_rays(void **state)
 {
     static const struct {
         const char *keys;
-        double degrees, light; /* at most: off in the mean; of half skies by caps */
+        double degrees, light; /* bounds: mean angle; light of half skies by caps */
     } cases[] = {{"method: hybrid, rays: 64", 1.5, .025},
                  {"method: voxels, rays: 64", 1.5, .025},
                  {"method: screen, rays: 64, steps: 16", 20, .09}};
@@ -179,8 +179,7 @@ static void bent_normals_are_those_of_rays(void **state)
     gl_close(gl);
 }
 
-/* Half a sky: cells of a checker that are so large that only the border through the origin is
- * seen. */
+/* A half sky, as cells of a checker so large that only the border through the origin is visible. */
 static void put_sky(const double way[3], char text[TEXT])
 {
     snprintf(text, TEXT,
@@ -192,7 +191,7 @@ static void put_sky(const double way[3], char text[TEXT])
              .5 * way[0], .5 * way[1], .5 * way[2]);
 }
 
-/* Root of the mean square over all half skies, against rays. */
+/* Root mean square error over all half skies, against rays. */
 static double light_off(GlContext *gl, Renderer *renderer, const char *keys, Truth *truth,
                         bool hemisphere)
 {
@@ -243,8 +242,8 @@ static void light_of_half_a_sky_comes_by_direction(void **state)
     gl_close(gl);
 }
 
-/* A hemisphere that is the same from everywhere at first is then as one that was another from the
- * start, and back. */
+/* A Hemisphere light that changes from uniform to two-colored equals one that was two-colored
+ * from the start, and back. */
 static void hemispheres_change(void **state)
 {
     static const char *const lights[2] = {"lights: [{ light: Hemisphere, ground: [1, 1, 1] }]\n",

@@ -1,5 +1,5 @@
-/* No glow at shadow edges: across the sharp edge of a lamp's shadow light that comes by other
- * surfaces goes on evenly. */
+/* No halo at shadow boundaries: indirect light is smooth across the sharp boundary of a lamp's
+ * shadow. */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame_reference/shadow_ray.h"
@@ -27,8 +27,8 @@ static const char body[] =
 
 enum { NOTHING, DARK, LIT };
 
-/* Pixels of the floor or the wall: by rays in double, whether the lamp is visible from there;
- * nothing where another face is adjacent. */
+/* Finds lit pixels of the floor or the wall by rays in double to the lamp; pixels adjacent to
+ * another face are excluded. */
 static void find_lit(const Scene *scene, unsigned char *lit)
 {
     Tracer tracer = reference_open(scene);
@@ -44,7 +44,7 @@ static void find_lit(const Scene *scene, unsigned char *lit)
     reference_close(&tracer);
 }
 
-/* All of a row from `from` to `to` are of one surface. */
+/* True if all pixels of a row from `from` to `to` show one surface. */
 static bool is_even(const unsigned char *lit, int from, int to)
 {
     bool even = from / EDGE == to / EDGE;
@@ -58,7 +58,7 @@ static double grey(const float *rgba, int p)
     return ((double)rgba[4 * p] + (double)rgba[4 * p + 1] + (double)rgba[4 * p + 2]) / 3;
 }
 
-/* How much lighter the two pixels p, p + 1 are than those AWAY from them, as a share. */
+/* Relative excess of the two pixels p, p + 1 over those AWAY from them. */
 static double rim(const float *rgba, int p)
 {
     const double around = grey(rgba, p - AWAY) + grey(rgba, p + 1 + AWAY);
@@ -93,7 +93,7 @@ static void add(Rims *rims, double share)
     rims->count++;
 }
 
-/* At edges, and beside them on either side, where nothing is to be seen. */
+/* Compares at edges, and next to edges on either side, where no difference is allowed. */
 static void edges_do_not_glow(void **state)
 {
     (void)state;

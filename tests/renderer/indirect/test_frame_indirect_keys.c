@@ -1,5 +1,5 @@
-/* Keys of `indirect:` that no other test looks at, by what they are said to do: the contrast of
- * ambient occlusion, and how far off the surface rays begin. */
+/* Keys of `indirect:` without another test, against their documentation: the contrast of ambient
+ * occlusion, and the offset of rays from the surface. */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include <math.h>
@@ -8,8 +8,7 @@
 
 enum { WIDTH = 64, HEIGHT = 48, PIXELS = WIDTH * HEIGHT, TEXT = 2048, KEYS = 256 };
 
-/* A floor, and a ceiling 1 above it, seen from between; ambient occlusion, in floats. From malloc.
- */
+/* A floor, and a ceiling 1 above, seen from between; ambient occlusion in floats. From malloc. */
 static float *draw(GlContext *gl, const char *keys, const char *objects)
 {
     const MatcOptions options = frame_exact_options();
@@ -64,9 +63,10 @@ static void contrast_is_of_what_is_kept_off(void **state)
     gl_close(gl);
 }
 
-/* A ceiling at c above the origin of rays: those hit it within r whose cosine is more than c / r,
- * and for cosine-weighted directions these are 1 - (c / r)^2. A step is r / 64 long, a voxel .064
- * wide: the ceiling's lowest full voxels begin at most half of that off. */
+/* A ceiling at height c above the rays' origin: rays within the radius r hit it if their cosine
+ * exceeds c / r, which for cosine-weighted directions is the share 1 - (c / r)^2. A step is r /
+ * 64 long, a voxel .064 wide: the ceiling's lowest full voxels begin at most half of a voxel
+ * off. */
 static void rays_begin_as_far_off_as_is_said(void **state)
 {
     (void)state;

@@ -1,7 +1,7 @@
-/* Ambient occlusion and indirect light by every method against many rays in double; how far each is
- * off is printed, and bounded. `build/tests/test_frame_indirect_truth goals [FILE.obj LIFT
- * [KEYS...]]`, or `errors` without times: rows of docs/results/indirect.md, of what is to be
- * reached; of that mesh, y up, so far above the ground, as well. */
+/* Ambient occlusion and indirect light by every method against many rays in double; the error of
+ * each is printed, and bounded. `build/tests/test_frame_indirect_truth goals [FILE.obj LIFT
+ * [KEYS...]]`, or `errors` without times: prints the rows of goals of docs/results/indirect.md;
+ * with FILE.obj also for that mesh, y up, LIFT above the ground. */
 /* ctest: unsanitized */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
@@ -19,7 +19,7 @@ static void methods_against_rays(void **state)
     (void)state;
     static const struct {
         const char *keys;
-        double open, light; /* at most */
+        double open, light; /* upper bounds */
     } methods[] = {{"method: march, rays: 32, steps: 32", 0.09, 0.5},
                    {"method: march, march: voxels, rays: 32, steps: 32", 0.0095, 0.2},
                    {"method: screen, rays: 32, steps: 16", 0.075, 0.55},
@@ -67,8 +67,8 @@ static void methods_against_rays(void **state)
     gl_close(gl);
 }
 
-/* A second bounce is no more off than the first. Rays of samples that are averaged are as good as
- * so many at once. */
+/* A second bounce has no greater error than the first. Averaged samples are as good as equally
+ * many rays at once. */
 static void bounces_and_samples(void **state)
 {
     (void)state;

@@ -1,6 +1,7 @@
-/* Indirect light where the driver has less than OpenGL 4.3: there is no compute, and there are no
- * voxels. `auto` takes what there is, and says why; what takes voxels is an error by name; pictures
- * are those of newer drivers. Mesa says that it is older where MESA_GL_VERSION_OVERRIDE does. */
+/* Indirect light on drivers below OpenGL 4.3, without compute and voxels. `auto` selects an
+ * available method and reports the reason; a method that needs voxels is an error that names the
+ * method; pictures equal those of newer drivers. MESA_GL_VERSION_OVERRIDE makes Mesa report an
+ * older version. */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include <math.h>
@@ -20,8 +21,8 @@ static const char body[] =
     "- { object: Sphere, radius: .5, detail: 24, material: m, transform: { translation: [0, 0, .5] "
     "} }\n";
 
-/* Draws a frame, and one after it. NULL: it cannot be drawn; said is the reason, from malloc;
- * otherwise the method that draws it. */
+/* Draws one frame, or two. Returns NULL if that fails; *reported is the reason, from malloc, or
+ * else the method used. */
 static float *drawn(GlContext *gl, const char *keys, bool twice, char **reported)
 {
     const MatcOptions options = frame_exact_options();
@@ -43,7 +44,7 @@ static float *drawn(GlContext *gl, const char *keys, bool twice, char **reported
     return fine ? rgba : NULL;
 }
 
-/* Root of the mean square: of `screen` a sector of 32 may round to the other side. */
+/* Root mean square difference: with `screen`, one sector of 32 may round to the other side. */
 static double apart(const float *a, const float *b)
 {
     double sum = 0;
@@ -65,8 +66,8 @@ static GlContext *older(int version)
     return gl;
 }
 
-/* By all methods that go by the picture; each pass over all pixels is a fragment program there, and
- * what is kept of frames is kept. */
+/* By all screen-space methods, with every full-screen pass as a fragment program, and with
+ * accumulation over frames. */
 static void pictures_are_the_same(void **state)
 {
     (void)state;

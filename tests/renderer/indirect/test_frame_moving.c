@@ -1,5 +1,5 @@
-/* `moving:` of indirect light: a frame in which something is another than before is what the
- * coarser resolution gives; the next one, where nothing is, what the finer does. */
+/* `moving:` of indirect light: a frame with a change equals one at the coarser resolution; the
+ * next frame, without changes, equals one at the finer resolution. */
 /* ctest: unsanitized */
 #include "tests/test.h"
 #include "runtime/indirect/radiance/radiance.h"
@@ -61,8 +61,8 @@ static double difference(const float *a, const float *b)
     return most;
 }
 
-/* Root of the mean square: of the first component, ambient occlusion; of three, light, over its
- * mean. */
+/* Root mean square difference: of the first component, ambient occlusion; of three, light
+ * relative to its mean. */
 static double off_by(const float *a, const float *b, int components)
 {
     double sum = 0, mean = 0;
@@ -87,8 +87,8 @@ static void coarse_while_it_moves_then_fine(void **state)
         const char *keys, *fine, *moving, *view;
         bool fragment;
         double
-            /* at most, root of the mean square of what coarser frames differ by: of ambient
-             * occlusion; light by few rays is bounded by its noise alone */
+            /* max root mean square difference of coarser frames in ambient occlusion; light by
+             * few rays is bounded only by its noise */
             off;
         double exact; /* passes of means over one pixel round */
     } cases[] = {{"rays: 16, radius: 1", "", "resolution: quarter", "ao", false, .05, 0},
@@ -131,8 +131,8 @@ static void coarse_while_it_moves_then_fine(void **state)
     gl_close(gl);
 }
 
-/* While it moves, one set of rays of fewer pixels; then sets go on until there are as many as are
- * asked for. */
+/* During motion one set of rays for fewer pixels; afterwards sets accumulate to the requested
+ * number. */
 static void samples_begin_when_it_stands_still(void **state)
 {
     (void)state;
@@ -161,8 +161,8 @@ static void samples_begin_when_it_stands_still(void **state)
     gl_close(gl);
 }
 
-/* Nodes are made anew only where something may be another; a scene whose light is all from around,
- * and that sends none of its own, has none. */
+/* Radiance nodes are updated only if they may have changed; a scene with only ambient light and
+ * without emission has none. */
 static void nodes_are_made_when_needed(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* The truth of indirect light, by rays, against closed forms: walls, balls, a lamp's form factor,
- * two bounces between planes; weights by distance. */
+/* The ray-traced reference of indirect light against closed forms: walls, balls, a lamp's form
+ * factor, two bounces between planes; weights by distance. */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame_reference/open_ray.h"
@@ -16,7 +16,7 @@
     "emissive: [.8, .4, .2] } }\nobjects:\n"
 #define FLOOR "- { object: Plane, material: m }\n"
 
-/* Result at the origin, seen from above. */
+/* Result for a ray from above to the origin. */
 static Open open_at_origin(const char *objects, OpenRays rays, bool light)
 {
     const MatcOptions options = frame_exact_options();
@@ -44,8 +44,8 @@ static void nothing_and_all(void **state)
     assert_true(shut.open < 1e-9);
 }
 
-/* 1 - sin^2 of half its angle, for a cosine; 1 less its solid angle over 2 pi, for directions as
- * dense everywhere. */
+/* A ball leaves 1 - sin^2 of half its angular size, cosine-weighted; for uniform directions 1
+ * minus its solid angle over 2 pi. */
 static void a_ball(void **state)
 {
     (void)state;
@@ -71,8 +71,8 @@ static void a_ball(void **state)
     }
 }
 
-/* A wall at x = 1 of height h, without ends: 1/2 (1 + 1 / sqrt(1 + h^2)) is left of the cosine.
- * With a radius and weights: integrals over the directions in which it is met, by steps. */
+/* An infinite wall of height h at x = 1 leaves 1/2 (1 + 1 / sqrt(1 + h^2)) of the cosine. With a
+ * radius and weights: numerical integrals over the directions that hit it. */
 static void a_wall(void **state)
 {
     (void)state;
@@ -105,14 +105,14 @@ static void a_wall(void **state)
     }
 }
 
-/* Something that shines, as large as it is seen; what it sends is times the share of the cosine
- * that it takes. */
+/* An emissive surface sends its light times its cosine-weighted share of the hemisphere. */
 static void a_lamp(void **state)
 {
     (void)state;
     static const double corners[4][3] = {
         {-.5, .2, 1}, {.5, .2, 1}, {.5, 1.2, 1.5}, {-.5, 1.2, 1.5}};
-    /* Lambert: of each side the angle times the height of the normal of its plane with the point */
+    /* Lambert's formula: for each side its angle times the height of the normal of its plane
+     * through the point */
     double share = 0;
     for (int i = 0; i < 4; i++) {
         const double *a = corners[i], *b = corners[(i + 1) % 4];
@@ -132,8 +132,8 @@ static void a_lamp(void **state)
         assert_true(fabs(open.light[i] - components[i] * share) < 3e-3 * components[i] + 1e-9);
 }
 
-/* A floor of diffuse 0.5 below a ceiling of the same that shines with 1: from above come 1, and of
- * each two bounces a quarter more. */
+/* A floor of diffuse 0.5 below a ceiling of the same that emits 1: 1 comes from above, and each
+ * two bounces add a quarter of that. */
 static void bounces(void **state)
 {
     (void)state;

@@ -1,6 +1,5 @@
-/* The view of what the picture knows as a mesh, from beside, against rays in double: what it shows
- * grey is what a camera there meets of what the picture's own camera sees, too, and from the same
- * side. */
+/* The view of the depth buffer as a mesh, seen from the side, against rays in double: its gray
+ * pixels are surfaces that the picture's own camera also sees, from the same side. */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame_reference/reference_ray.h"
@@ -23,7 +22,7 @@ static const char body[] =
 /* The box around all objects: the lower one's sides, the taller one's top. */
 static const double middle[3] = {0, 0, .5};
 
-/* Around the middle, by an angle around an axis of the camera's own. */
+/* Rotates around the middle, by an angle around an axis of the camera. */
 static void turn(const double axis[3], double angle, const double about[3], double v[3])
 {
     double w[3], cross[3], dot = 0;
@@ -50,7 +49,7 @@ static void go_around(SceneCamera *camera, bool up, double degrees)
     turn(axis, angle, none, camera->back);
 }
 
-/* Whether the picture has a point: where, in pixels; and nothing is before it. */
+/* True if a point is in the picture and not hidden. */
 static bool is_known(const Tracer *tracer, const SceneCamera *camera, const Hit *hit)
 {
     double way[3], components[3] = {0}, from[3];
@@ -72,7 +71,7 @@ static bool is_known(const Tracer *tracer, const SceneCamera *camera, const Hit 
            !reference_is_blocked(tracer, from, way, 1 - 1e-4);
 }
 
-/* Seen from the side that the picture's camera sees. */
+/* True if the hit shows the side that faces the picture's camera. */
 static bool is_turned(const SceneCamera *camera, const Hit *hit, const Ray *ray)
 {
     const bool flat = camera->kind == SCENE_Orthographic;
@@ -85,7 +84,8 @@ static bool is_turned(const SceneCamera *camera, const Hit *hit, const Ray *ray)
     return sides[0] * sides[1] > 0;
 }
 
-/* Anywhere along a ray: what is before it shows its back, or is not known. */
+/* True if a visible point is anywhere along the ray: surfaces before it show their backs, or are
+ * unknown. */
 static bool meets_known(const Tracer *tracer, const SceneCamera *camera, const Ray *ray)
 {
     double behind = 0;
@@ -106,7 +106,8 @@ static int shown(const float rgba[4])
     return rgba[3] == 0 ? NOTHING : rgba[2] > 1.5f * rgba[0] ? BETWEEN : KNOWN;
 }
 
-/* Pixels whose neighbours within two agree alone: what is known ends at a pixel's middle. */
+/* True if all neighbors within two pixels agree: the depth buffer's mesh ends at pixels'
+ * centers. */
 static bool is_within(const int *truth, int p)
 {
     for (int k = 0; k < 25; k++)

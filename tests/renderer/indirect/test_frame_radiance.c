@@ -1,6 +1,6 @@
-/* Light of what the picture does not show: nothing of it gets through walls, what is behind the
- * camera sends what rays in double say, as infinite planes do, and what changes is as if it were
- * made anew. */
+/* Light of surfaces outside the picture: no leaks through walls; surfaces behind the camera, and
+ * infinite planes, send the light that rays in double find; after a change the light equals that
+ * of a new renderer. */
 /* ctest: unsanitized seconds=40 */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
@@ -49,8 +49,8 @@ static double brightest_of(GlContext *gl, const char *text, double *mean)
 
 /* -- walls */
 
-/* Six slabs that cross in their corners, around a cube of edge 2; two lights outside, and a box far
- * off, so that a voxel of 64 is 0.068 wide. */
+/* Six slabs that intersect in their corners, around a cube of edge 2; two lights outside, and a
+ * distant box, so that a voxel of 64 is 0.068 wide. */
 static void put_capacity(double wall, const char *shadows, const char *rotation, char text[TEXT])
 {
     int length = snprintf(
@@ -88,7 +88,7 @@ static void nothing_shines_through_walls(void **state)
     static const struct {
         double wall;
         const char *shadows;
-        double most; /* times what rounds to 1 */
+        double most; /* max light, in units of the value that sRGB rounds to 1 */
     } cases[] = {{.02, "exact", 0}, {.06, "exact", 0}, {.09, "exact", 0},
                  {.12, "exact", 0}, {.07, "map", 1},   {.12, "map", 1.5}};
     double mean, black = 1.5 / 255 / 12.92;
@@ -112,8 +112,8 @@ static void nothing_shines_through_walls(void **state)
 
 /* -- behind the camera */
 
-/* A white wall is seen; behind the eye are a sheet whose sides differ, a mirrored box with a
- * pattern, a ball, and what shades them. */
+/* A visible white wall; behind the eye a two-sided sheet, a mirrored box with a pattern, a ball,
+ * and their occluders. */
 static const char behind[] =
     IMAGE "camera: { camera: Perspective, position: [0, -.5, 1], target: [0, 2, 1], angle: 50 "
           "}\nindirect: { rays: 96, "
@@ -153,8 +153,8 @@ typedef struct {
     int count;
 } Off;
 
-/* Error at pixels of object 0, 5 apart, against so many rays squared: ambient occlusion, or light.
- * */
+/* Error at pixels of object 0, 5 apart, against `rays.across` squared rays: ambient occlusion,
+ * or light. */
 static Off off_by(GlContext *gl, const char *text, bool light, OpenRays rays)
 {
     enum { APART = 5 };
@@ -205,7 +205,7 @@ static void what_is_behind_the_camera_sends(void **state)
 
 /* -- infinite planes */
 
-/* A wall on a ground and beside another, of which all that is near it is seen. */
+/* A wall on a ground and next to another wall, with its whole neighborhood visible. */
 static const char grounded[] = IMAGE
     "camera: { camera: Perspective, position: [1.2, -6, 2.5], target: [-.3, 0, %s }\nlights:\n- { "
     "light: Point, position: [0, -2, 2.5], intensity: 10, shadows: exact }\nindirect: { rays: 64, "
@@ -237,8 +237,8 @@ static void rays_meet_infinite_planes(void **state)
     gl_close(gl);
 }
 
-/* A picture of the wall's upper half alone: rays meet the planes, but nothing knows what these
- * send. */
+/* A picture of the wall's upper half alone: rays hit the planes, but the light that these send
+ * is unknown. */
 static void planes_beside_the_picture_are_black(void **state)
 {
     (void)state;
@@ -257,9 +257,9 @@ static void planes_beside_the_picture_are_black(void **state)
 /* -- what is thinner than voxels */
 
 /* A fence of bars, wires and a pole over a ground of edge 3, whose voxels of 128 are 0.024 wide:
- * bars of 1.7 voxels, wires of 0.4. In voxels they are wider, and keep off and send more: 0.05 of
- * ambient occlusion, and a fifth of the little light that they send. By 256 ambient occlusion is
- * 0.04 off. */
+ * bars of 1.7 voxels, wires of 0.4. As voxels they are wider, and occlude and send more: the
+ * error is 0.05 of ambient occlusion, and a fifth of the little light that they send. With 256
+ * voxels ambient occlusion is off by 0.04. */
 static void fences_and_wires_keep_off_a_voxel_more(void **state)
 {
     (void)state;
@@ -340,8 +340,8 @@ static void hostile_scenes_are_lit(void **state)
 
 /* -- behind glass */
 
-/* A pane before the eye lets half of all through and sends nothing of its own: the picture is half
- * of that without it, indirect light and what is dimmed among it. */
+/* A pane in front of the eye transmits half and emits nothing: the picture is half of that
+ * without it, including indirect and dimmed light. */
 static void glass_halves_what_is_behind_it(void **state)
 {
     (void)state;
@@ -392,8 +392,8 @@ static void assert_as_new(GlContext *gl, Renderer *renderer, const Scene *scene,
     free(as_new);
 }
 
-/* Light that bounces on, too, and what a surface sends at another time: threads find nodes in
- * another order each time, and no number may follow that. */
+/* Also with multiple bounces and changing emission: threads find nodes in a different order each
+ * time, which must not influence the result. */
 static void what_changes_is_as_new(void **state)
 {
     (void)state;

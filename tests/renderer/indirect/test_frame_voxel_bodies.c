@@ -1,6 +1,6 @@
-/* Bodies as voxels: what crosses, what is thin, what is hostile. No ray gets out of a room whose
- * walls cross in its corners, from half a voxel to two thick; bodies that cross leave nothing out;
- * documents that are meant to harm give voxels, in time, and no fault of GL. */
+/* Closed meshes as voxels: intersecting, thin and hostile ones. No ray leaves a room whose walls
+ * cross in its corners, with walls from half a voxel to two voxels thick; intersecting meshes
+ * leave no gaps; hostile documents give voxels in bounded time and without a GL error. */
 #include "tests/test.h"
 #include "runtime/indirect/voxels/voxels.h"
 #include "tests/frame/frame_calls.h"
@@ -71,7 +71,7 @@ static double most_open(const FrameVoxelsDrawn *d)
 static void nothing_gets_out_of_a_room_of_boxes(void **state)
 {
     (void)state;
-    static const double walls[] = {.1, .5, 1, 1.4, 2, 4}; /* voxels, about */
+    static const double walls[] = {.1, .5, 1, 1.4, 2, 4}; /* in voxels, approximately */
     char room[TEXT];
     for (size_t i = 0; i < sizeof walls / sizeof *walls; i++) {
         put_capacity(walls[i] * 3.4 / SIZE, room);
@@ -96,7 +96,7 @@ static bool is_within(const double at[3], const double middle[3], double half, d
     return most < half;
 }
 
-/* Three boxes in a row, each over half of the next; and one twice. */
+/* Three overlapping boxes in a row, and two identical ones. */
 static void what_crosses_is_full(void **state)
 {
     (void)state;

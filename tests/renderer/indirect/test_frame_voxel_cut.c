@@ -1,6 +1,6 @@
-/* Cut-outs in voxels: which are full against what is cut away in double, ambient occlusion and
- * light beneath them against rays in double; a closed mesh with holes is no body; what is cut away
- * may change. */
+/* Alpha-tested surfaces in voxels: which voxels are full, against the alpha test in double;
+ * ambient occlusion and light beneath them against rays in double; a closed mesh with holes does
+ * not count as watertight; the cut-outs may change. */
 #include "tests/test.h"
 #include "runtime/indirect/voxels/voxels.h"
 #include "tests/frame/frame_draw.h"
@@ -50,14 +50,15 @@ static const char scene_text[] =
 
 typedef struct {
     double at[3], u[3], v[3], cells[2], diffuse[3];
-    int odd; /* that is left of the cells' sum modulo 2 where it is full */
+    int odd; /* parity of the cells' sum where the checker is full */
 } ContactSheet;
 static const ContactSheet sheets[SHEETS] = {
     {{-.8, -.75, .813}, {1.6, .1, 0}, {-.1, 1.5, 0}, {4, 6}, {.8, .4, .2}, 0},
     {{.3, .1, .113}, {.9, .1, .5}, {-.2, .6, .4}, {12, 8}, {.2, .4, .8}, 1},
 };
 
-/* Where a line meets the sheet's plane, in multiples of its way; `uv` of the place. */
+/* Intersection of a line with the sheet's plane, in multiples of its direction; `uv` of the
+ * point. */
 static double meet(const ContactSheet *sheet, const double from[3], const double way[3],
                    double uv[2])
 {
@@ -75,8 +76,8 @@ static double meet(const ContactSheet *sheet, const double from[3], const double
     return t;
 }
 
-/* 1: something is left there; 0: it is cut away, or beside the sheet; -1: so near an end of a cell
- * that it may be either. */
+/* 1: opaque; 0: cut away, or outside of the sheet; -1: so near a cell's border that either is
+ * right. */
 static int is_left(const ContactSheet *sheet, const double uv[2], double near)
 {
     int sum = 0;
@@ -135,7 +136,7 @@ static int tear_down(void **state)
 
 /* -- voxels */
 
-/* 1 full, 0 empty, -1 either: by lines through its middle along three axes. */
+/* 1 full, 0 empty, -1 either: by lines through the voxel's center along three axes. */
 static int expected(const VoxelGrid *grid, const int at[3])
 {
     int all = 0;
@@ -197,7 +198,7 @@ static void programs_are_those_of_cut_outs(void **state)
         assert_true(renderer->gpu_scene.places[i].cut < 0 || !renderer->voxels->waves[i]);
 }
 
-/* The ball's skin is there, in part, and nothing within. */
+/* The ball's surface is partly voxelized, and its inside is empty. */
 static void balls_with_holes_are_hollow(void **state)
 {
     const Drawn *d = *state;
@@ -225,7 +226,7 @@ typedef struct {
     double open, light[3];
 } Sum;
 
-/* Adds the light of the nearer plane that a ray hits; false: it hits none. */
+/* Adds the light of the nearer plane that a ray hits; false if it misses both. */
 static bool follow(const double from[3], const double way[3], Sum *sum)
 {
     static const double lamp[3] = {.1, .05, .5};

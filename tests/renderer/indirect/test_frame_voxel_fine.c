@@ -1,7 +1,7 @@
-/* Surfaces of small triangles, which need no rasteriser: they fill the voxels that the rasteriser
- * fills, but for those on its edges; a shell whose corners and edges lie on the lines that are
- * asked keeps a flood out, however it is turned; large triangles, and what is cut out, stay with
- * the rasteriser. */
+/* Voxelization of small triangles without the rasterizer: they fill the same voxels as the
+ * rasterizer, except on their edges; a shell whose corners and edges lie on sample lines is
+ * watertight to a flood fill, at any rotation; large triangles, and alpha-tested ones, use the
+ * rasterizer. */
 /* ctest: seconds=21 */
 #include "tests/test.h"
 #include "runtime/indirect/voxels/voxels.h"
@@ -55,7 +55,7 @@ static void remove_shell(const ShellFile *shell)
 
 /* -- drawing */
 
-/* All as surfaces, by compute where that is for them, or by the rasteriser. */
+/* Voxelizes all as surfaces, small triangles by compute, or all by the rasterizer. */
 static uint32_t *draw_surfaces(FrameVoxelsDrawn *d, bool compute)
 {
     FrameVoxels *voxels = d->renderer->voxels;
@@ -116,8 +116,8 @@ static void fine_surfaces_are_the_rasterisers(void **state)
         }
 }
 
-/* From a corner of the map, over the faces of empty voxels, the middle is not reached, and all else
- * is. */
+/* A flood fill from a corner of the map, across faces of empty voxels, reaches everything except
+ * the middle. */
 static void flood(FrameVoxelsDrawn *d)
 {
     const int n = d->size;
@@ -169,7 +169,7 @@ static void nothing_gets_between_triangles(void **state)
     remove_shell(&shell);
 }
 
-/* A triangle longer than eight voxels, and a cut-out, are not taken one by one. */
+/* Triangles longer than eight voxels, and alpha-tested ones, are not voxelized by compute. */
 static void what_is_large_is_drawn(void **state)
 {
     (void)state;

@@ -1,7 +1,7 @@
-/* How open points are by rays through voxels, against the same rays by Embree: closed meshes as
- * bodies and as surfaces, by where rays begin. Prints the table of docs/results/indirect.md.
- * `build/tests/test_frame_voxel_open FILE.obj LIFT`: of that mesh, y up, so far above the
- * ground. */
+/* Ambient occlusion of points by rays through voxels, against the same rays by Embree: closed
+ * meshes voxelized as solids and as surfaces, by the rays' start offset. Prints the table of
+ * docs/results/indirect.md. `build/tests/test_frame_voxel_open FILE.obj LIFT` uses that mesh, y
+ * up, LIFT above the ground. */
 #include "tests/test.h"
 #include "runtime/indirect/voxels/voxels.h"
 #include "tests/frame/frame_draw.h"
@@ -12,7 +12,8 @@
 
 enum { WIDE = 96, HIGH = 72, PIXELS = WIDE * HIGH, ACROSS = 16, TEXT = 2048 };
 
-/* Closed, each a hair above the ground: where bodies cross, what both have is empty. */
+/* Closed meshes, each slightly above the ground: voxels in the overlap of two meshes would be
+ * empty. */
 #define BODIES                                                                                     \
     "- { object: Sphere, radius: .5, detail: 96, material: m, transform: { translation: [-.5, "    \
     ".1, .501] } }\n"                                                                              \
@@ -89,7 +90,7 @@ static double open_by_rays(const Place *p, const Tracer *tracer, const Hit *hit,
     return open / points.rays;
 }
 
-/* The facet's normal: rays below the surface would be another matter. */
+/* Uses the geometric normal, because rays below the surface would be a different case. */
 static void make_points(const Place *p)
 {
     Tracer tracer = reference_open(p->scene);
@@ -139,7 +140,7 @@ static Result compare(void)
     return (Result){sqrt(result.error / count), result.bias / count, result.steps / count};
 }
 
-/* Bodies are surfaces from now on. */
+/* Switches to surface voxelization. */
 static void make_surfaces(Place *p)
 {
     FrameVoxels *voxels = p->renderer->voxels;
@@ -152,7 +153,7 @@ static void make_surfaces(Place *p)
     assert_true(renderer_frame(p->renderer));
 }
 
-/* Off the surface, in voxels; 0: as voxelStart has it. */
+/* Offsets from the surface, in voxels; 0: that of voxelStart. */
 static const double offs[] = {0, .5, .75, 1, 1.8};
 enum { OFFS = sizeof offs / sizeof *offs };
 

@@ -1,6 +1,6 @@
-/* Voxels of scenes, bit by bit, against triangles in double: middles within closed bodies by
- * counting what lies before them, surfaces by lines through middles; levels by those below; a room
- * that nothing gets out of; what is moved. */
+/* Voxels of scenes, bit by bit, against triangles in double: voxel centers inside closed meshes
+ * by counting the surfaces before them, surfaces by lines through centers; coarser levels by the
+ * finer ones; a watertight room; moved objects. */
 /* ctest: seconds=19 */
 #include "runtime/tessellate/scene_solid.h"
 #include "tests/test.h"
@@ -53,7 +53,7 @@ static Triangles triangles_of(const FrameVoxelsDrawn *d, bool sheets)
     return made;
 }
 
-/* Where a line along an axis, through (a, b) on the next two, meets a triangle. */
+/* Intersection of a triangle with a line along an axis, through (a, b) on the next two. */
 static bool meets(const double corners[3][3], int axis, const double place[2], double *at)
 {
     const int a = (axis + 1) % 3, b = (axis + 2) % 3;
@@ -70,7 +70,7 @@ static bool meets(const double corners[3][3], int axis, const double place[2], d
     return sign * areas[0] > 0 && sign * areas[1] > 0 && sign * areas[2] > 0;
 }
 
-/* How often a voxel is full, of lines that pass its middle as closely as a rasteriser may put it
+/* How often a voxel is full, of lines that pass its middle as closely as a rasterizer may put it
  * elsewhere: 1/256 of a pixel to each side, and a depth. */
 enum { LINES = 5, DEPTHS = 2, TRIES = LINES * DEPTHS };
 typedef struct {
@@ -92,7 +92,7 @@ static void line_of(const Expected *e, int column, int line, double place[2])
 
 static double depth_of(double depth, int number) { return depth + (number ? 1e-3 : -1e-3); }
 
-/* Middles within bodies: those with an odd number of surfaces of one of them below. */
+/* Finds voxels whose centers are inside a closed mesh, with an odd number of its surfaces below. */
 static void expect_within(Expected *e, const Triangles *triangles)
 {
     for (int try = 0; try < e->size * e->size * TRIES; try++) {
@@ -211,8 +211,8 @@ static void voxels_are_those_of_the_triangles(void **state)
     }
 }
 
-/* A texel of a level has what any of the four below has; the last is one column. Also where a texel
- * is not enough. */
+/* A texel of a level is full if any of the four finer ones is; the last level is one column.
+ * Also for sizes below one texel. */
 static void levels_are_those_below(void **state)
 {
     (void)state;
@@ -317,7 +317,7 @@ static void nothing_gets_out_of_a_room(void **state)
     frame_voxels_forget(&d);
 }
 
-/* A moved object is as if it had stood there from the start; if nothing moved, a frame makes only
+/* A moved object equals one that was there from the start; without a move, a frame makes only
  * draw calls. */
 static void what_moves_is_made_again(void **state)
 {

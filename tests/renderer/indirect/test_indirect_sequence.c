@@ -1,5 +1,5 @@
-/* Samples of indirect light's rays: published values; that sets of them are nets; that those of
- * tiles of pixels are. */
+/* Sample sequences of indirect rays: published values; sets of samples are nets; sets over tiles
+ * of pixels are nets. */
 #include "tests/test.h"
 #include "runtime/indirect/rays/indirect_sequence.h"
 #include <math.h>
@@ -41,7 +41,7 @@ static void thirds_are_of_other_bases(void **state)
     }
 }
 
-/* Each box of 2^-a by 2^(a - m) has one of 2^m samples. */
+/* Checks that each box of 2^-a by 2^(a - m) contains one of 2^m samples. */
 static void assert_net(int m)
 {
     static int seen[MOST];
@@ -66,14 +66,14 @@ static void sets_are_nets(void **state)
         }
 }
 
-/* As the GLSL has it, of 16 bits. */
+/* A rotated sample in 16 bits, as in the GLSL. */
 static double turned(double sample, double shift)
 {
     return ((unsigned)(sample * 65536) ^ (unsigned)(shift * 65536)) / 65536.;
 }
 
-/* Those of each 2^k x 2^k pixels of a tile are one net, at whichever multiple of that they begin:
- * 1, 4, 16, 64 pixels. */
+/* The samples of each 2^k x 2^k pixels of a tile form one net, at any aligned position: 1, 4,
+ * 16, 64 pixels. */
 static void tiles_of_sobol_are_nets(void **state)
 {
     (void)state;
@@ -152,8 +152,8 @@ static void tiles_of_hammersley_are_one_set(void **state)
     }
 }
 
-/* Shifts of blue noise are three values of the mask that have nothing to do with each other; none
- * and random have no table. */
+/* The blue noise shifts are three uncorrelated values of the mask; `none` and `random` have no
+ * table. */
 static void blue_noise_and_none(void **state)
 {
     (void)state;

@@ -1,9 +1,9 @@
-/* Light by way of surfaces, of one bounce and of four, against Cycles, which traces paths:
- * tests/reference/README.md. All of a frame's light, less that of lamps, where Cycles says that no
- * edge is.
+/* Indirect light of one bounce and of four, against path tracing by Cycles:
+ * tests/reference/README.md. Compares a frame's light minus that of lamps, at pixels that
+ * Cycles' mask marks as no edge.
  *
- *     test_reference_bounces N KEYS...      drawn N times as wide and high, and averaged: one
- *                                           bounce with each of these keys */
+ *   test_reference_bounces N KEYS...      drawn N times as wide and high, and averaged: one
+ *   bounce with each of these keys */
 /* ctest: unsanitized */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
@@ -16,7 +16,7 @@
 enum { TEXT = 1 << 14, BLOCK = 4, EDGE = 128 };
 #define FOLDER SOURCE_FOLDER "/tests/reference/cycles/"
 
-/* The document, its lines `indirect:` and `image:` replaced, or what stands in for them. */
+/* Reads the document with its lines `indirect:` and `image:` replaced. */
 static void read_text(const char *keys, int times, char text[TEXT])
 {
     static const char image[] = "image: { width: ";
@@ -32,7 +32,7 @@ static void read_text(const char *keys, int times, char text[TEXT])
     fclose(file);
 }
 
-/* Means over so many times as many pixels along each axis. */
+/* Draws at `times` times the size, and averages. */
 static float *draw(GlContext *gl, Renderer *renderer, int times, const char *keys)
 {
     const MatcOptions options = frame_exact_options();
@@ -53,8 +53,8 @@ static float *draw(GlContext *gl, Renderer *renderer, int times, const char *key
     return mean;
 }
 
-/* Over means of 4 x 4 pixels, as paths are noise: root of the mean square off, and how much more in
- * the mean, both over the mean of light. */
+/* Over means of 4 x 4 pixels, because path tracing is noisy: root mean square error, and mean
+ * excess, both relative to the mean light. */
 typedef struct {
     double off, more;
     int blocks;

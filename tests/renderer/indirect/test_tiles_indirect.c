@@ -1,5 +1,5 @@
-/* Indirect light in tiles with as much around them as it looks at, against the same picture drawn
- * at once; what has to be drawn at once. */
+/* Indirect light in tiles with a guard band as wide as its filters, against the same picture
+ * drawn at once; methods that cannot be tiled. */
 /* ctest: seconds=10 */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
@@ -10,7 +10,7 @@
 
 enum { WIDTH = 128, HEIGHT = 96, PIXELS = WIDTH * HEIGHT, FEW = 4, TEXT = 2048 };
 
-/* Beside the axes: no edge runs through middles of pixels, where last bits decide. */
+/* Oblique to the axes: no edge passes through pixel centers, where rounding decides. */
 #define CAMERA                                                                                     \
     "camera: { camera: Perspective, position: [.13, -6, 1.21], target: [.02, 0, 1], angle: 30 }\n"
 static const char body[] =
@@ -51,8 +51,8 @@ static Scene *make_scene(const char *keys, const char *camera, const MatcOptions
     return frame_scene(text, options, document);
 }
 
-/* The rasteriser sums up from a tile's corner: depth is off by last bits (test_tiles.c), so that a
- * ray may meet another voxel: of FEW pixels. */
+/* The rasterizer accumulates from a tile's corner: depth differs in its last bits
+ * (test_tiles.c), so that a ray may hit another voxel: at FEW pixels. */
 static void tiles_are_as_the_whole(void **state)
 {
     (void)state;
@@ -93,8 +93,8 @@ static void tiles_are_as_the_whole(void **state)
     gl_close(gl);
 }
 
-/* Methods that look far, or accumulate over frames, draw the whole picture; a camera that comes
- * near rebuilds the tiles. */
+/* Methods with long rays, or accumulation over frames, draw the whole picture; an approaching
+ * camera rebuilds the tiles. */
 static void what_looks_far_is_whole(void **state)
 {
     (void)state;

@@ -1,7 +1,7 @@
-/* Rays through slice maps: voxelRay against the walk through single voxels, bit for bit, and both
- * against a walk in double. Grids at random and hostile ones; rays along axes, faces and edges,
- * from outside, of any length, with components that are 0 or no numbers. Prints the bricks that a
- * ray reads. */
+/* Rays through slice maps: voxelRay against a walk through single voxels, bit for bit, and both
+ * against a walk in double. Random and hostile grids; rays along axes, faces and edges, from
+ * outside, of any length, with components 0 or NaN. Prints the number of bricks that a ray
+ * reads. */
 /* ctest: seconds=12 */
 #include "tests/test.h"
 #include "gen/render_text.h"
@@ -15,7 +15,7 @@
 
 enum { WIDE = 64, HIGH = 64, RAYS = WIDE * HIGH, LEVELS = 10, COMPONENTS = 4 };
 
-/* Hit of a ray: t, or -1; the voxel, in two floats; bricks that were read. */
+/* Result of a ray: t, or -1; the voxel, in two floats; number of bricks read. */
 static const char head[] =
     "uniform sampler2D rays;\n"
     "vec4 rayTexel(ivec2 pixel, int i) { return texelFetch(rays, ivec2(2 * pixel.x + i, pixel.y), "
@@ -248,7 +248,7 @@ typedef struct {
     double bricks;
 } Count;
 
-/* Hit in double, also of neighboring rays; whether all hit one voxel, or none. */
+/* Hit in double, also of neighboring rays; returns true if all hit the same voxel, or none. */
 static bool truth_of(const VoxelWords *words, const Ray ray, VoxelMet *met)
 {
     static const double beside[][3] = {
@@ -270,7 +270,7 @@ static bool truth_of(const VoxelWords *words, const Ray ray, VoxelMet *met)
     return true;
 }
 
-/* The ray's length and place are such that rounding of floats is as small as the motion of rays. */
+/* True if rounding errors are smaller than the differences of the neighboring rays. */
 static bool is_plain(const Ray ray)
 {
     const double most = 1e4;
@@ -283,8 +283,7 @@ static bool is_plain(const Ray ray)
     return length > 1 / most && ray[0][3] >= 0;
 }
 
-/* With a component that is no number, or infinite, no ray meets anything; a far end may be
- * infinite. */
+/* A ray with a NaN or infinite component hits nothing; the far end may be infinite. */
 static bool is_none(const Ray ray)
 {
     bool none = isnan(ray[0][3]);
@@ -356,8 +355,8 @@ static void rays_meet_what_a_walk_meets(void **state)
     gl_close(gl);
 }
 
-/* The march of the thesis: the first of 16 even places that is in a full voxel; places that are
- * near a face may be on either side. */
+/* The thesis' march: the first of 16 evenly spaced points in a full voxel; points near a face
+ * may be on either side. */
 static int march(const VoxelWords *words, const Ray ray, bool *near_face)
 {
     for (int j = 1; j <= 16; j++) {

@@ -1,6 +1,6 @@
-/* Light of a parallelogram on a point: the GLSL against Lambert's formula and Arvo's moments in
- * double, and those against sums over triangles of the light. Points near, far, behind, on the
- * light's plane and its edges. */
+/* Light of a parallelogram at a point: the GLSL against Lambert's formula and Arvo's moments in
+ * double, and these against quadrature over triangles of the light. Points near, far, behind, on
+ * the light's plane and on its edges. */
 #include "tests/test.h"
 #include "gen/render_text.h"
 #include "tests/area_reference.h"
@@ -24,7 +24,7 @@ static const char body[] =
     "normal.xyz), normal.xyz, caseTexel(pixel, 4).xyz, normal.w), "
     "0.0, 1.0);\n}\n";
 
-/* Its numbers, as the GLSL and the reference take them. */
+/* Numbers of a case, as the GLSL and the reference read them. */
 typedef float CaseTexels[TEXELS][4];
 
 static uint32_t random_state;
@@ -49,7 +49,7 @@ static void put(const double v[3], float texel[4])
         texel[i] = (float)v[i];
 }
 
-/* A direction that rounding to floats left a unit vector. */
+/* Renormalizes a unit vector that was rounded to floats. */
 static void get_unit(const float texel[4], double v[3])
 {
     for (int i = 0; i < 3; i++)
@@ -70,8 +70,8 @@ static AreaCase case_of(const CaseTexels t)
     return c;
 }
 
-/* A light around a direction, 1 away, of edges 0.001 to 10; the lobe mostly near its middle; the
- * normal on the lobe's side. */
+/* A light around a direction at distance 1, with edges from 0.001 to 10; the lobe mostly near
+ * its center; the normal on the lobe's side. */
 static void random_case(double exponent, CaseTexels t)
 {
     double middle[3], u[3], v[3], w[3], n[3], aside[3], corner[3];
@@ -117,8 +117,8 @@ static void run(GlContext *gl, const CaseTexels *cases, bool compute, float (*re
 static CaseTexels cases[CASES];
 static float reported[CASES][4];
 
-/* The most that its light could be: where it faces the surface, the lobe is all on it, or it fills
- * all the lobe. */
+/* Upper bound of a light's value: facing the surface with the whole lobe on the light, or with
+ * the light filling the whole lobe. */
 static double most_of(const AreaCase *c, double lobe)
 {
     const AreaPolygon seen = area_seen(c);
@@ -156,7 +156,7 @@ static void by_exponent(void **state)
     assert_int_equal(faults, 0);
 }
 
-/* The references agree, and exponents that are not whole are as close. */
+/* Both references agree, and non-integer exponents are as accurate. */
 static void by_triangles(void **state)
 {
     (void)state;
@@ -182,8 +182,8 @@ static void by_triangles(void **state)
     gl_close(gl);
 }
 
-/* A square of edge 2 a above a point that faces its middle, 1 away: 4 / pi * a / sqrt(1 + a^2) *
- * atan(a / sqrt(1 + a^2)); a published form factor. */
+/* A square of edge 2 a above a point that faces its center, at distance 1: 4 / pi * a / sqrt(1 +
+ * a^2) atan(a / sqrt(1 + a^2)); a published form factor. */
 static void closed_form(void **state)
 {
     (void)state;
@@ -208,8 +208,8 @@ static void closed_form(void **state)
     gl_close(gl);
 }
 
-/* Points on its plane, an edge, a corner; lights of no size that floats know; lobes along the
- * horizon: numbers from 0 to 1. */
+/* Points on the light's plane, an edge, a corner; lights too small for floats; lobes along the
+ * horizon: values are in [0, 1]. */
 static void stable(void **state)
 {
     (void)state;

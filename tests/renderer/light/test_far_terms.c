@@ -1,6 +1,6 @@
-/* The far-field expansion of distant lights, at groups of surfaces made to be nasty: the series of
- * their diffuse light and the expansion of their gloss, as the GLSL has them, against the light
- * itself in double. The error is within the bounds that far_terms.glsl and far_lobe.glsl state. */
+/* The far-field expansion of distant lights, at hostile groups of surfaces: the series of their
+ * diffuse light and the expansion of their specular light, as in the GLSL, against the exact
+ * light in double. The error is within the bounds that far_terms.glsl and far_lobe.glsl state. */
 /* ctest: alone */
 #include "tests/test.h"
 #include "gen/render_text.h"
@@ -57,7 +57,7 @@ static const char body[] =
 
 typedef double Vector[3];
 
-/* A surface of the group: where it is from the centre, in radii; its normal, mirrored view and
+/* A surface of the group: its position from the center, in radii; its normal, mirrored view and
  * exponent. */
 typedef struct {
     Vector at, normal, mirror;
@@ -93,7 +93,7 @@ static void random_direction(Vector v)
     normalize(v);
 }
 
-/* A direction at that angle from another, rounded to floats. */
+/* A direction at an angle from another one, rounded to floats. */
 static void turned(const Vector from, double angle, Vector to)
 {
     Vector aside;
@@ -170,7 +170,7 @@ static void cosines_of(double along, double cosine, double out[2])
     out[1] = cos(fmax(between - angle, 0));
 }
 
-/* Values that pass_groups.glsl would find for the group, and far_light.glsl for the lamp. */
+/* The values that pass_groups.glsl computes for the group, and far_light.glsl for the lamp. */
 static void put_case(const Case *c, float t[IN][4])
 {
     double cosine = 1, mirror = 1, above = -1e9, below = 1e9, sharp = c->exponent, cosines[2];
@@ -221,8 +221,8 @@ static double linear_of(const Case *c, const Patch *p, float (*reported)[4])
     return sum;
 }
 
-/* The greatest share of the bound that gloss takes; every patch is within it, and the most is the
- * most. Less than 0: it isn't expanded. */
+/* The greatest ratio of the specular error to its bound; every patch must be within the bound,
+ * and the stated maximum must be right. Below 0: not expanded. */
 static double check_gloss(const Case *c, float (*reported)[4])
 {
     const double never = 1e29, rounding = 2e-6 * (1 + c->exponent);
@@ -241,7 +241,7 @@ static double check_gloss(const Case *c, float (*reported)[4])
     return share;
 }
 
-/* Each kind of group comes near its bound: no term could be much less. */
+/* Each kind of group comes near its bound, so no term could be much smaller. */
 static void gloss_is_within_its_bound(void **state)
 {
     (void)state;
@@ -265,7 +265,7 @@ static void gloss_is_within_its_bound(void **state)
     gl_close(gl);
 }
 
-/* q^6 (7 - 6 q) / (1 - q)^2, which is nearly met; farLeftOut says the same. */
+/* The bound q^6 (7 - 6 q) / (1 - q)^2 is nearly reached; farLeftOut computes the same. */
 static void series_are_within_their_bound(void **state)
 {
     (void)state;

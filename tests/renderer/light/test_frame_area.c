@@ -1,4 +1,4 @@
-/* Area lights of any size, under OSMesa, against closed forms: a plane of light without end, and
+/* Area lights of any size, under OSMesa, against closed forms: an infinite plane of light, and
  * half of one. */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
@@ -8,8 +8,8 @@
 
 enum { SIDE = 33, MIDDLE = 4 * (SIDE / 2 * SIDE + SIDE / 2) };
 
-/* Radiance of a white, diffuse surface at the origin: a parallelogram around it, whose other edge
- * `tilt` has. */
+/* Radiance of a white diffuse surface at the origin: a parallelogram with the second edge
+ * `tilt`. */
 static double sent(GlContext *gl, const char *camera, const char *light, const char *tilt)
 {
     char text[1024];
@@ -35,8 +35,8 @@ static const char *const cameras[] = {"position: [0, -6, 2]", "position: [3, -5,
                                       "position: [-1, 2, 4]"};
 enum { CAMERAS = sizeof cameras / sizeof *cameras };
 
-/* A surface under a plane of light sees (1 + n) / 2 of it, n the cosine of its tilt: 1 where it
- * lies flat, 0.8 where it is turned by the angle whose cosine is 0.6. */
+/* A surface under an infinite plane of light receives (1 + n) / 2 of its light, n the cosine of
+ * its tilt: 1 if horizontal, 0.8 at the cosine 0.6. */
 static void planes_of_light(void **state)
 {
     (void)state;
@@ -58,9 +58,8 @@ static void planes_of_light(void **state)
     gl_close(gl);
 }
 
-/* One that begins at y = y0, 10 above, is seen by (1 - y0 / sqrt(y0^2 + 100)) / 2 from a point that
- * faces it. The other edges are as far as they can be, and one of them lies along the half plane's
- * border askew. */
+/* A half plane of light from y = y0 on, at height 10, gives (1 - y0 / sqrt(y0^2 + 100)) / 2 to a
+ * point that faces it. The other edges are as far away as possible, and one of them is oblique. */
 static void half_planes_of_light(void **state)
 {
     (void)state;
@@ -78,7 +77,7 @@ static void half_planes_of_light(void **state)
     gl_close(gl);
 }
 
-/* Nothing is in the way: shadow maps of the part that counts leave all of it. */
+/* Without occluders, shadow maps of the relevant part of the light leave all of its light. */
 static void large_lights_may_cast(void **state)
 {
     (void)state;

@@ -1,8 +1,8 @@
-/* Principled balls in the sun against Cycles' Principled: tests/reference/README.md. Facets are
- * GGX's in both, masked by height, and reflect light more than once; Fresnel's formula is Schlick's
- * here, and there a dielectric's of index 1.5, from the same colour to white: what was reflected
- * once is taken from the one to the other by the angle between light and the facet, which is half
- * of that between light and eye. */
+/* Principled balls in the sun against Cycles' Principled: tests/reference/README.md. Both use
+ * GGX with height-correlated masking and multiple scattering. The Fresnel terms differ:
+ * Schlick's here, a dielectric's of index 1.5 in Cycles, from the same color to white. The
+ * single-scattered light is converted from one to the other by the angle between light and
+ * microfacet normal, half of the angle between light and eye. */
 /* ctest: alone */
 #include "tests/frame/frame_compare.h"
 #include "tests/frame/frame_draw.h"
@@ -47,7 +47,7 @@ static Scene *open_scene(const char *from, const char *to, const MatcOptions *op
     return scene;
 }
 
-/* A dielectric of index 1.5, of both polarisations. */
+/* Fresnel reflectance of a dielectric of index 1.5, averaged over both polarizations. */
 static double dielectric(double cosine)
 {
     const double inner = sqrt(1 - (1 - cosine * cosine) / 2.25),
@@ -56,7 +56,7 @@ static double dielectric(double cosine)
     return (across * across + along * along) / 2;
 }
 
-/* Cycles' Fresnel over Schlick's, of a colour. */
+/* Ratio of Cycles' Fresnel term to Schlick's, for a color. */
 static double fresnel_ratio(double color, double cosine)
 {
     const double theirs = color + (1 - color) * (dielectric(cosine) - .04) / .96,
@@ -64,8 +64,8 @@ static double fresnel_ratio(double color, double cosine)
     return theirs / ours;
 }
 
-/* The cosines of eye and light on a ball, and of the angle between light and facet; false: the ray
- * meets none. */
+/* The cosines of eye and light on a ball, and of the angle between light and microfacet; false
+ * if the ray misses. */
 static bool place(const Scene *scene, int i, int *ball, double cosines[3])
 {
     const Ray ray = reference_ray(scene, i % WIDTH + .5, i / WIDTH + .5);
@@ -93,8 +93,8 @@ static bool place(const Scene *scene, int i, int *ball, double cosines[3])
     return false;
 }
 
-/* Single reflection of the sun's light by GGX facets, pi times the lobe and the cosine, by
- * Schlick's formula. */
+/* Single scattering of sunlight by GGX microfacets: pi times the lobe and the cosine, with
+ * Schlick's term. */
 static double once(double color, double alpha, const double c[3])
 {
     const double up = fmin((c[0] + c[1]) / (2 * c[2]), 1), wide = up * up * (alpha * alpha - 1) + 1,
@@ -110,8 +110,8 @@ typedef struct {
     int count;
 } Judged;
 
-/* Light that was reflected once is within 2 %. What was reflected again goes by Kulla and Conty's
- * lobe here, and by paths between facets there: as much in all directions together, but not in
+/* Single-scattered light is within 2 %. Multiple scattering uses Kulla and Conty's lobe here,
+ * and random walks between microfacets in Cycles: equal in the sum over directions, but not in
  * each. */
 static void judge(const float *wanted, const float *light, const double c[3], int ball,
                   Judged *judged)

@@ -1,6 +1,5 @@
-/* Far lights that are taken together, beside all that a renderer does otherwise: their memory,
- * drivers that have too little for them, changes, tiles, edges, layouts. That they are within their
- * bound at all is test_frame_lights.c's. */
+/* Grouped far lights combined with the renderer's other features: their memory, drivers with too
+ * little of it, changes, tiles, edges, layouts. test_frame_lights.c checks their error bound. */
 /* ctest: seconds=19 */
 #include "tests/test.h"
 #include "tests/frame/frame_change.h"
@@ -69,8 +68,7 @@ static void count_buffer_data(GLenum target, GLsizeiptr size, const void *data, 
     driver_buffer_data(target, size, data, usage);
 }
 
-/* Memory requested from the driver is the memory that --stats prints, and that tiles are made for.
- * */
+/* The memory allocated by the driver equals that printed by --stats, by which tiles are planned. */
 static void buffers_are_counted(void **state)
 {
     (void)state;
@@ -116,8 +114,8 @@ static void get_less(GLenum name, GLint *value)
         *value = least;
 }
 
-/* Where a program may have too few storage buffers, or textures, all lights are summed; where a
- * buffer may be too short, tiles are lower. */
+/* If programs may have too few storage buffers, or textures, all lights are summed; if buffers
+ * are too small, tiles are lower. */
 static void drivers_with_less(void **state)
 {
     (void)state;
@@ -214,8 +212,8 @@ static void changes(void **state)
     close_hall(&h);
 }
 
-/* Tiles whose blocks are others than the picture's. A wall that faces the eye: its depth is the
- * same in all of them, test_tiles.c. */
+/* Tiles whose blocks differ from the picture's. A wall that faces the eye has the same depth in
+ * all tiles: test_tiles.c. */
 static void tiles(void **state)
 {
     (void)state;
@@ -277,8 +275,8 @@ static void layouts(void **state)
     close_hall(&h);
 }
 
-/* A blend of two pixels is within the bound of both: of a picture of 16 bits, whose own steps come
- * on top. */
+/* A blend of two pixels is within the bound of both, for a picture of 16 bits, whose own steps
+ * are added. */
 static void edges(void **state)
 {
     (void)state;
@@ -303,8 +301,8 @@ static void edges(void **state)
     close_hall(&h);
 }
 
-/* Boxes so small that a block of pixels has the floor and three of their sides: each has sums of
- * its own. */
+/* Boxes so small that a block of pixels contains the floor and three of their sides: each has
+ * separate sums. */
 static void sides_of_boxes(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* Many lights: of every kind in any order, more than a block of numbers holds, against the
- * reference in double; and far ones that are taken together, against all of them. */
+/* Many lights: of every kind in any order, more than a uniform block holds, against the
+ * reference in double; and grouped far lights against the sum of all. */
 /* ctest: unsanitized */
 #include "tests/test.h"
 #include "runtime/frame_graph/frame.h"
@@ -71,8 +71,8 @@ static const char *const without_areas[] = {"Spot",  "Point", "Directional",
                                             "Point", "Point", "Spot"};
 static const char *const spots[] = {"Spot"};
 
-/* Every light counts, wherever its numbers stand: in a block, or beyond its room in a texture; in
- * both entries. */
+/* Every light counts, whether its numbers are in the uniform block or, above its capacity, in a
+ * texture; in fragment and compute programs. */
 static void every_light_counts(void **state)
 {
     (void)state;
@@ -243,8 +243,8 @@ static double half_off(double all, double bounded)
     return fabs(bounded - all) / (.5 * ldexp(1, exponent - 11));
 }
 
-/* A pixel's component as it is shown; `whole` is the picture's greatest: the tone mapping Linear
- * makes 1 of it. */
+/* A pixel's displayed component; `whole` is the picture's greatest, which the tone mapping
+ * Linear scales to 1. */
 static double shown(const Scene *scene, const float *pixel, int component, double whole)
 {
     const double greatest =
@@ -273,7 +273,7 @@ static double most_off(const Scene *scene, bool linear, float *const pictures[2]
     return most;
 }
 
-/* Scenes made to attack the bound: no component of any pixel is further off than it says. */
+/* Scenes made to attack the bound: no component of any pixel exceeds its error bound. */
 static void far_lights_are_within_the_bound(void **state)
 {
     (void)state;

@@ -1,8 +1,8 @@
-/* Shadows against rays of Embree, for each kind of light, from straight above to half a degree over
- * the ground. A picture with shadows over one without is the share of light that arrives. It is
- * that of the ray wherever no end of a shadow is near: where points of the surface's tangent plane,
- * a few texels away as the light sees them, all agree. So what is lit wrongly there is a leak, what
- * is dark is acne. */
+/* Shadows against Embree's rays, for each kind of light, from straight above to half a degree
+ * over the ground. The quotient of a picture with shadows and one without is the share of light
+ * that arrives. It must equal the ray's away from shadow boundaries: where points of the
+ * surface's tangent plane, a few texels away as seen by the light, all agree. A wrongly lit
+ * pixel there is a light leak, a wrongly dark one is shadow acne. */
 /* ctest: unsanitized */
 #include "tests/test.h"
 #include "tests/frame/shadow_band.h"
@@ -15,7 +15,7 @@
 /* -- pictures */
 
 enum { WIDTH = 120, HEIGHT = 90, PIXELS = WIDTH * HEIGHT };
-static const double REACH = 11.5; /* across all objects of a scene, about */
+static const double REACH = 11.5; /* width of all objects of a scene, approximately */
 
 #define VIEW "image: { width: 120, height: 90 }\n" SHADOW_SCENE_VIEW
 
@@ -25,10 +25,10 @@ typedef struct {
     int acne, leaks; /* wrong ones */
 } Count;
 
-/* Texels around a point in which all has to agree. */
+/* Radius in texels around a point within which all rays have to agree. */
 static double band_of(const Scene *scene) { return 3.0 * (scene->shadow_filter + 1); }
 
-/* The share of light there: 0 or 1; or -1, an end of a shadow is near. */
+/* The true share of light: 0 or 1; -1 near a shadow boundary. */
 static int share_of(const Tracer *tracer, const Hit *hit)
 {
     const double texel = shadow_texel(tracer->scene, &tracer->scene->lights[0], hit->world, REACH);
@@ -77,7 +77,7 @@ typedef struct {
     bool placed, directed;
 } Lamp;
 
-/* The light stands at an angle, 6 from the origin, and shines there. */
+/* Draws with the light at an angle, 6 from the origin, directed at the origin. */
 static Count at_angle(GlContext *gl, const Lamp *lamp, const double angle[2], const char *objects,
                       const char *maps)
 {
@@ -153,8 +153,8 @@ static void filtered(void **state)
 
 /* -- where the eye is the light, all that is seen is lit */
 
-/* A neighbour is far behind or in front of it: within a texel, the map may have the one or the
- * other. Where meshes meet there is no step. */
+/* True if a neighbor pixel is far behind or in front: within a texel, the map may contain either
+ * depth. Touching meshes make no step. */
 static bool has_step(const Tracer *tracer, int pixel, const Hit *hit)
 {
     for (int k = 0; k < 9; k++) {

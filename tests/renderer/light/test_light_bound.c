@@ -1,6 +1,6 @@
-/* The omitted part of distant lights keeps the picture within half a step of 8 bits, or of halves:
- * the claims of light_bound.c, proved by intervals and by signs of polynomials where they are
- * numbers, tried where its comment proves them. */
+/* The omitted part of distant lights changes the picture by less than half a step of 8 bits, or
+ * of half floats: the claims of light_bound.c. Claims about numbers are proved by intervals and
+ * signs of polynomials; claims that its comment proves are sampled. */
 #include "tests/test.h"
 #include "runtime/light/light_far.h"
 #include "tests/frame/frame_lamps.h"
@@ -13,8 +13,8 @@ typedef struct {
     double slope, start;
 } Line;
 
-/* By how much a component y, as it is mapped, may be off: the lesser of two lines; for light that
- * is off by r times itself and a. */
+/* Error bound of a tone-mapped component y: the smaller of two lines; for light with the error r
+ * times itself plus a. */
 typedef struct {
     SceneKind tone;
     Line lines[2]; /* in r and a */

@@ -1,6 +1,6 @@
-/* The lobe of Principled surfaces: the fits of its albedos against integrals in double, the GLSL's
- * lobe against microfacets as they are defined, a white furnace at every roughness, light that
- * changes places with the eye, and colours that no surface sends more of than arrives. */
+/* The lobe of Principled surfaces: fits of its albedos against integrals in double, the GLSL's
+ * lobe against microfacet theory, a white furnace at every roughness, reciprocity, and energy
+ * conservation for every color. */
 /* ctest: seconds=11 */
 #include "tests/test.h"
 #include "gen/render_text.h"
@@ -16,7 +16,7 @@
 
 enum { SIDE = 20 };
 
-/* A pixel is a roughness, by its row, and an angle, by its column: cosines from 0.1 on. */
+/* A pixel has a roughness by its row, and an angle by its column: cosines from 0.1 on. */
 static const char head[] =
     "struct Surface { vec3 normal, diffuse, specular; float metalness, roughness, reflectance; };\n"
     "#define SURFACE_HAS_normal\n#define SURFACE_HAS_diffuse\n#define SURFACE_HAS_specular\n"
@@ -40,7 +40,7 @@ static const char lobes[] =
     "vec4 passPixel(ivec2 p) { Lit m = surfaceLit(mixed(p, roughOf(p)), toward(cosineOf(p), 0.0)); "
     "return vec4(surfaceLobe(m, toward(0.05 + 0.9 * varied(p, 0.5701), 3.14159 + (0.5 - varied(p, "
     "0.91)) * roughOf(p))), 1.0); }\n";
-/* Half of the directions by what of GGX's facets the eye sees (Heitz 2018), half by the cosine. */
+/* Half of the directions by sampling GGX's visible normals (Heitz 2018), half by the cosine. */
 static const char furnace[] = LOBE_MICROFACET LOBE_SEEN
     "float density(vec3 v, vec3 l, float a) { return 0.5 * (seen(v, l, a) + l.z) / 3.14159265; }\n"
     "vec3 sent(Surface surface, vec3 v) {\n"
@@ -133,7 +133,7 @@ typedef struct {
     double base, tint, metal, rough, reflectance;
 } Case;
 
-/* The lobe as it is defined, of one component, by integrals. */
+/* The lobe by its definition, for one component, by integrals. */
 static double lobe_of(const Case *c, double cosine, double l, double turn)
 {
     const double a = c->rough * c->rough, vx = sqrt(1 - cosine * cosine), lx = sqrt(1 - l * l);
@@ -222,7 +222,7 @@ static void light_and_eye_change_places(void **state)
     lobe_is_white_around(reported, SIDE * SIDE);
 }
 
-/* The share of all that GGX sends that comes from the parallelogram, by visible facets (Heitz
+/* The share of GGX's reflection that comes from the parallelogram, by visible normals (Heitz
  * 2018). */
 static double share_of_area(int i)
 {
@@ -292,7 +292,7 @@ static void parallelograms_are_integrals(void **state)
     assert_true(worst[0] < .1 && sqrt(squares[0]) < .02);
 }
 
-/* The text that matc writes for a layout, the lobe, and no more. */
+/* matc's unpacking code for a layout, followed by the lobe, compiles without other code. */
 static void stands_behind_unpacking(void **state)
 {
     (void)state;

@@ -1,6 +1,5 @@
-/* Principled surfaces that reflect longer one way: the fits of their albedos and the lobe against
- * integrals and definitions in double, a white furnace, light that changes places with the eye, and
- * directions that come back from the G-buffer's number. */
+/* Anisotropic Principled surfaces: fits of their albedos and the lobe against integrals and
+ * definitions in double, a white furnace, reciprocity, and directions decoded from the G-buffer. */
 #include "tests/test.h"
 #include "compiler/library/chunk.h"
 #include "runtime/surface/surface_model.h"
@@ -61,8 +60,7 @@ static const char lobes[] =
     "    l.z = max(l.z, 0.05); l = normalize(l);\n"
     "    return vec4(microfacetsAlong(m, vec3(0.0, 0.0, 1.0), l, normalize(l + "
     "v), l.z, vec2(v.z, maskedAlong(m, v, v.z))), l); }\n";
-/* Half of the directions by what the eye sees of the facets (Heitz 2018), half by the cosine; the
- * coat's are wide. */
+/* Half of the directions by visible normals (Heitz 2018), half by the cosine; the coat is rough. */
 static const char furnace[] =
     "float sent(Surface surface, vec3 v) {\n"
     "    Lit m = surfaceLit(surface, v);\n"

@@ -1,6 +1,5 @@
-/* A coat with a normal of its own: what the slot says, by OpenPBR's words; the coat's lobe about it
- * against GGX in double; light that changes places with the eye; a surface that sends no more than
- * arrives. */
+/* A coat with its own normal: the slot's value by OpenPBR's definition; the coat's lobe around
+ * the normal against GGX in double; reciprocity; energy conservation. */
 #include "tests/slot_values.h"
 #include "runtime/surface/surface_model.h"
 #include "tests/frame/frame_draw.h"
@@ -114,8 +113,7 @@ static void coats_lie_as_they_say(void **state)
     assert_true(seen > 300 && worst < 2e-3 && turned[0] < 2e-5 && turned[1] < 2e-5);
 }
 
-/* Light that the coat reflects below the surface is lost: less light leaves than arrives, and never
- * more. */
+/* Light that the coat reflects below the surface is lost: less light leaves than arrives. */
 static void sends_no_more_than_arrives(void **state)
 {
     (void)state;
@@ -138,7 +136,7 @@ static void expect_coat(const char *text, const char *at, const double want[3])
     free(values);
 }
 
-/* OpenPBR: without a normal of its own a coat has the geometry's, not that of the base. */
+/* As in OpenPBR, a coat without its own normal has the geometry's, not that of the base. */
 static void slots_are_openpbrs(void **state)
 {
     (void)state;
@@ -185,7 +183,7 @@ static void slots_are_openpbrs(void **state)
                 "u=0.3", (double[]){.6, 0, .8});
 }
 
-/* A value that counts for nothing is not seen, however great it is. */
+/* A value of weight 0 has no effect, however large it is. */
 static void what_does_not_count_is_not_seen(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* The four most common kinds of Principled in compact's 16 bytes a pixel: slots within what their
- * bits may lose, and light against that of whole floats. */
+/* The four most common kinds of Principled in compact's 16 bytes per pixel: slots within the
+ * error of their bits, and light against that of full floats. */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include <math.h>

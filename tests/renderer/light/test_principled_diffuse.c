@@ -1,5 +1,5 @@
-/* A Principled's rough diffuse base: the lobe and what it loses against sums in double, white
- * furnaces below facets, a coat and fuzz, light that changes places with the eye. */
+/* A Principled's rough diffuse base: the lobe and its energy loss against sums in double, white
+ * furnaces below microfacets, a coat and fuzz, reciprocity. */
 /* ctest: seconds=12 */
 #include "tests/test.h"
 #include "runtime/surface/surface_model.h"
@@ -96,7 +96,7 @@ static double rough_of(int y) { return .0316227766 + .9683772 * y / (SIDE - 1); 
 static double cosine_of(int x) { return .1 + .9 * x / (SIDE - 1); }
 static double varied(int i, double step) { return fmod(.5 + step * i, 1); }
 
-/* Fujii's lobe over an even one's. */
+/* Fujii's lobe relative to Lambert's. */
 static double once_of(double rough, double l, double v, double turn)
 {
     const double s = sqrt(1 - l * l) * sqrt(1 - v * v) * cos(turn), t = s > 0 ? fmax(l, v) : 1;
@@ -150,7 +150,7 @@ typedef struct {
     const double *numbers;
 } Grained;
 
-/* With light that goes on within: of a colour, over what comes in and leaves. */
+/* With light that goes on within: of a color, over what comes in and leaves. */
 static double lobe_of(const Grained *of, double color)
 {
     const double rough = of->rough, *cosines = of->cosines, *numbers = of->numbers;

@@ -1,5 +1,5 @@
-/* A thin film on a Principled surface: what it reflects against sums over wavelengths in double, a
- * white furnace, light that changes places with the eye. */
+/* A thin film on a Principled surface: its reflection against sums over wavelengths in double, a
+ * white furnace, reciprocity. */
 #include "tests/test.h"
 #include "runtime/surface/surface_model.h"
 #include "tests/fits/observer.h"
@@ -25,7 +25,7 @@ static const char tools[] =
 static const char films[] =
     "vec4 passPixel(ivec2 p) { return vec4(filmReflected(Film(1.0, 5.0 * varied(p, 0.618), 1.1 + "
     "1.2 * varied(p, 0.382)), cosineOf(p), vec3(varied(p, 0.733) * varied(p, 0.733))), 1.0); }\n";
-/* A smooth film of water in air, a metre's millionth thick at most, along the normal and at 60
+/* A smooth film of water in air, a meter's millionth thick at most, along the normal and at 60
  * degrees: what it sends of white light from all around. */
 static const char soap[] =
     "vec4 passPixel(ivec2 p) { Surface s = Surface(vec3(0.0, 0.0, 1.0), vec3(0.0), vec3(1.0), 0.0, "
@@ -121,7 +121,7 @@ static void films_are_sums_over_wavelengths(void **state)
 }
 
 /* Airy's sum in closed form: F sin^2 / (1 + F sin^2) of half the phase between the sides, F = 4 R /
- * (1 - R)^2, R what one side reflects by Fresnel's formulas, of both polarisations, by wavelengths
+ * (1 - R)^2, R what one side reflects by Fresnel's formulas, of both polarizations, by wavelengths
  * as an observer weighs them. */
 static void airy_of(double thickness, double cosine, double components[3])
 {
@@ -148,7 +148,7 @@ static void airy_of(double thickness, double cosine, double components[3])
         components[component] /= white[component];
 }
 
-/* A film in air is one on a base of index 1, which reflects nothing of its own. */
+/* A film in air equals one on a base of index 1, which reflects nothing itself. */
 static void soap_is_airys(void **state)
 {
     (void)state;

@@ -1,6 +1,5 @@
-/* The lobes over a Principled's base, coat and fuzz: fits against integrals in double, the sum of
- * all against the lobes as they are defined, white furnaces, light that changes places with the
- * eye. */
+/* The lobes above a Principled's base, coat and fuzz: fits against integrals in double, the sum
+ * of all lobes against their definitions, white furnaces, reciprocity. */
 #include "tests/test.h"
 #include "runtime/surface/surface_model.h"
 #include "tests/frame/frame_draw.h"
@@ -237,7 +236,7 @@ static double between_steps(const double *values, double cosine)
     return values[(int)at] * (1 - part) + values[(int)at + 1] * part;
 }
 
-/* Light that a white base reflects once below a layer, by visible facets; `left` is the layer's
+/* Single reflection by a white base below a layer, by visible normals; `left` is the layer's
  * transmittance, by the cosine. */
 static double once_below(const Layers *of, const double *left, double mean, double cosine)
 {
@@ -264,7 +263,7 @@ static double once_below(const Layers *of, const double *left, double mean, doub
     return sum / (RINGS * TURNS);
 }
 
-/* Loss of that relative to the layers' transmittance. */
+/* Relative loss of that light compared with the layers' transmittance. */
 static double strayed(const Layers *of, double cosine, double albedo)
 {
     const double coat = between_steps(of->coat, cosine), fuzz = between_steps(of->fuzz, cosine);
@@ -380,7 +379,7 @@ static void white_sends_all(void **state)
     assert_true(fine);
 }
 
-/* A surface without a layer, where others have it, is what it is alone. */
+/* A surface whose layers have weight 0 equals one without layers. */
 static void layers_of_no_weight_change_nothing(void **state)
 {
     (void)state;

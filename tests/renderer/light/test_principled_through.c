@@ -1,7 +1,6 @@
-/* Light that goes through a Principled surface: as a dielectric lets it, and scattered within thin
- * walls. What is reflected and what goes through are all of white together, light from behind is as
- * integrals in double have it, and changes places with the eye; each surface alone has its
- * program. */
+/* Light transmitted by a Principled surface: as by a dielectric, and diffusely by thin walls.
+ * Reflection and transmission of a white surface add up to 1; light from behind equals integrals
+ * in double, and is reciprocal; each kind of surface has its own program. */
 #include "tests/test.h"
 #include "runtime/surface/surface_model.h"
 #include "tests/frame/frame_draw.h"
@@ -71,7 +70,8 @@ static const char turned[] =
     "    float e = surfaceThrough(glass, v).x, f = surfaceThrough(behind, -v).x;\n"
     "    return vec4(abs(a - b) / (a + b + 1e-6), abs(c - d) / (c + d), abs(e - f) / (e + f), "
     "1.0);\n}\n";
-/* Holes and glass in one: half of the surface is there, four fifths of that let light through. */
+/* Cut-outs and transmission combined: half of the surface is present, and four fifths of that
+ * transmit light. */
 static const char holes[] =
     "vec4 passPixel(ivec2 p) { Surface s = made(1.0, 0.0, 0.5 + 0.4, 0.0, 0.04, vec2(0.0)); "
     "s.transmission = 0.4; s.diffuse = vec3(0.2);\n"

@@ -1,7 +1,8 @@
-/* Principled surfaces in the light of a picture: integrals in double that draw directions where it
- * is bright and where facets look (frame/sky_reference.h), against themselves by other sums, and
- * what is drawn against them; of brushed ones sums over even directions; white under white. The
- * picture is a studio by formulas: two windows, 60 and 12 times as bright as its walls. */
+/* Principled surfaces lit by an environment map: integrals in double that sample the map's
+ * radiance and GGX's visible normals (frame_reference/sky_reference.h), checked against other
+ * sums, are the reference of the drawn picture; sums over evenly spread directions that of
+ * anisotropic surfaces; white under white. The map is a studio by formulas: two windows, 60 and
+ * 12 times as bright as its walls. */
 /* ctest: seconds=36 */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
@@ -26,7 +27,7 @@ static double texel(const ReferencePicture *picture, int x, int y, int component
     return (double)picture->rgba[4 * (row * picture->width + column) + component];
 }
 
-/* semantics.md 5.3 says where a direction is on the sky; texels have their colours in their
+/* semantics.md 5.3 says where a direction is on the sky; texels have their colors in their
  * middles. */
 static void picture_light(const void *sky, const double way[3], double rgb[3])
 {
@@ -47,7 +48,7 @@ static void white_light(const void *sky, const double way[3], double rgb[3])
     rgb[0] = rgb[1] = rgb[2] = 1;
 }
 
-/* A sum over even directions, without any drawing by density. */
+/* A sum over evenly spread directions, without importance sampling. */
 static void sum_evenly(const SkyReference *reference, const SkyReferenceSurface *surface,
                        const double eye[3], double rgb[3])
 {
@@ -166,8 +167,8 @@ static void compare(const SkyReference *reference, const Case *of, const float *
 static const char studio_sky[] = "{ material: Phong, diffuse: 0, emissive: { map: ImageMap, image: "
                                  "tests/reference/studio.exr, texels: centre } }";
 
-/* A ball of a Principled with such parameters under a sky: its light, and its normals unless
- * NULL. */
+/* Draws a ball of a Principled with these parameters under a sky: its light, and its normals
+ * unless NULL. */
 static void draw_ball(GlContext *gl, const char *material, const char *sky, float **light,
                       float **normals)
 {
@@ -186,8 +187,8 @@ static void draw_ball(GlContext *gl, const char *material, const char *sky, floa
     frame_forget(scene, document);
 }
 
-/* Bounds are what is seen and a tenth to a half. The last is a coat of index 1.5 over what reflects
- * nothing. */
+/* Bounds are the measured errors plus a tenth to a half. The last case is a coat of index 1.5
+ * over a black base. */
 static void balls_are_those_of_the_reference(void **state)
 {
     (void)state;
@@ -221,8 +222,8 @@ static void balls_are_those_of_the_reference(void **state)
     gl_close(gl);
 }
 
-/* pi times what black facets of two widths, of index 1.5, send once, and the light's cosine; the
- * axes are along, across and the normal. */
+/* Single reflection of black microfacets of two widths, of index 1.5, times pi and the light's
+ * cosine; the axes are the tangent, the bitangent and the normal. */
 static double brushed_lobe(const double widths[2], const double eye[3], const double way[3])
 {
     double half[3], masked = 1;

@@ -1,6 +1,6 @@
-/* The sky as a light: irradiance and lobes on a sphere against integrals in double of what the
- * oracle says the sky is; closed forms under skies of one colour; the sun that goes with it, in
- * scenes and in the reflection. */
+/* The sky as a light: irradiance and lobes on a sphere against integrals in double of the
+ * oracle's sky; closed forms under skies of one color; the sky's sun, in scenes and in the
+ * reflection. */
 /* ctest: seconds=20 */
 #include "tests/test.h"
 #include "compiler/evaluate.h"
@@ -65,7 +65,7 @@ typedef struct {
 } Ray;
 static Ray rays[HEIGHTS * TURNS];
 
-/* Rays of equal solid angles, and what the oracle says is seen along them. */
+/* Rays of equal solid angles, and the oracle's sky along them. */
 static void trace(const Read *r)
 {
     const SceneMaterial *sky = &r->scene->materials[r->scene->sky];
@@ -149,7 +149,7 @@ static bool spot_of(const float *normals, int pixel, Spot *spot)
     return true;
 }
 
-/* The greatest difference on the sphere, over the greatest value there; *blurred: that of
+/* The greatest difference on the sphere, relative to the greatest value; *blurred: that of
  * prefiltered levels. */
 static double off_by(const float *light, const float *normals, const double specular[3],
                      double exponent, double *blurred)
@@ -187,8 +187,8 @@ static void put_scene(char *text, size_t capacity, const char *material, const c
 /* An exponent of a shininess, semantics.md 4.1. */
 static double exponent_of(double shininess) { return -2 / log(shininess * (2 - shininess)); }
 
-/* Clear skies by the height of their sun; disableSun leaves the sky alone. 0.3 % for diffuse, 4 %
- * for lobes, of the greatest. */
+/* Clear skies by the height of their sun; disableSun leaves only the sky. Bounds: 0.3 % for
+ * diffuse, 4 % for lobes, of the greatest value. */
 static void clear_skies(void **state)
 {
     (void)state;
@@ -252,8 +252,8 @@ static void pictures(void **state)
     gl_close(gl);
 }
 
-/* A sky of one color, twice as bright as it is seen: diffuse 1 reflects just that, a mirror 2 (n.w)
- * / (exponent + 2), less at its horizon. */
+/* A uniform sky whose light is twice its visible brightness: a diffuse 1 reflects exactly its
+ * light, a mirror 2 (n.w) / (exponent + 2), less at the sky's horizon. */
 static void one_color(void **state)
 {
     (void)state;

@@ -24,7 +24,7 @@ static double encode(double c)
     return c <= .0031308 ? 12.92 * c : 1.055 * pow(c, 1 / 2.4) - .055;
 }
 
-/* Grey tiles of 16 pixels where nothing is; none on an object, black as it is. */
+/* Gray tiles of 16 pixels where nothing is; none on an object, black as it is. */
 static void tiles(void **state)
 {
     (void)state;
@@ -47,8 +47,8 @@ static void tiles(void **state)
     gl_close(gl);
 }
 
-/* A glow by its formula; and what is seen through a pane of it, or of tiles, is as much of it as
- * the pane lets through, whatever the exposure. */
+/* A glow by its formula; through a pane, the glow or the tiles are multiplied by the pane's
+ * transmittance, at any exposure. */
 static void through_glass(void **state)
 {
     (void)state;
@@ -92,8 +92,8 @@ static void through_glass(void **state)
     gl_close(gl);
 }
 
-/* In a picture that is drawn in tiles of 24 pixels, the checkered backdrop and a glow lie where
- * they do in a picture that is drawn at once. */
+/* In a picture drawn in tiles of 24 pixels, the checkered backdrop and a glow are at the same
+ * places as in one drawn at once. */
 static void parts_have_the_picture_s_backdrop(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* Edges blended by coverage, against 8 x 8 rays of Embree through each pixel, flat colours of
- * objects mapped one by one; lines of the picture by closed forms; what hides them; tiles. */
+/* Edges blended by coverage, against 8 x 8 of Embree's rays through each pixel, with the
+ * objects' flat colors; lines of the picture by closed forms; hidden edges; tiles. */
 /* ctest: seconds=10 */
 #include "tests/test.h"
 #include "runtime/gpu_scene/edge_list.h"
@@ -102,7 +102,7 @@ static const EdgeCase cases[] = {
      57},
 };
 
-/* The mean of what the samples of a pixel show, as sRGB; true: they do not all show the same. */
+/* The mean of a pixel's samples, as sRGB; returns true if they differ. */
 static bool reference(const EdgeCase *c, const Tracer *tracer, const int at[2], double mean[3])
 {
     const Scene *scene = tracer->scene;
@@ -126,7 +126,7 @@ static bool reference(const EdgeCase *c, const Tracer *tracer, const int at[2], 
 typedef struct {
     double sum[2]; /* of squares: without blending, and with */
     int count;     /* of pixels that edges run through */
-    int spoiled;   /* where none does, and another colour is blended in all the same */
+    int spoiled;   /* pixels without an edge into which another color is blended */
 } EdgeSum;
 
 static void compare(const EdgeCase *c, const Tracer *tracer, float *const pictures[2],
@@ -209,7 +209,7 @@ static void hidden_lines_are_not_seen(void **state)
     frame_forget(scene, document);
 }
 
-/* Tiles look beyond their border; light that is not mapped is blended, too, and its alpha. */
+/* Tiles read outside of their border; light before tone mapping is blended, too, and its alpha. */
 static void tiles_and_light(void **state)
 {
     (void)state;
@@ -250,7 +250,7 @@ static void tiles_and_light(void **state)
     frame_forget(scene, document);
 }
 
-/* Where the camera or an object has moved, edges are those of the new picture. */
+/* After the camera or an object has moved, edges are those of the new picture. */
 static void edges_move(void **state)
 {
     (void)state;
@@ -358,7 +358,7 @@ static void outlines_are_where_they_are_seen(void **state)
     edge_list_free(&list);
 }
 
-/* Where there is no compute, the reason is said. */
+/* Without compute, the reason is reported. */
 static void reason(void **state)
 {
     (void)state;

@@ -1,6 +1,6 @@
 /* Thresholds of the edge pass: for each threshold a scene whose picture changes with the next
- * plausible value. Sums over rows of pixels are compared with the length that an edge cuts off the
- * row. */
+ * plausible value. Sums over rows of pixels are compared with the length of the row that an edge
+ * covers. */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include <math.h>
@@ -69,9 +69,9 @@ static void what_no_center_shows_blends_nothing(void **state)
     assert_int_equal(count_blended(*state, text), 0);
 }
 
-/* Greatest error of an edge's place in a picture that is white left of the edge and black right of
- * it: the sum of a row is the place. Rows near the border are skipped, and rows where the edge runs
- * through a pixel center, beside which a slanted face looks like an edge of its own. */
+/* Greatest error of an edge's position in a picture that is white left of the edge and black
+ * right of it: the sum of a row is the position. Skips rows near the border, and rows in which
+ * the edge passes through a pixel center, where a slanted face looks like a separate edge. */
 static double worst_row(GlContext *gl, const char *text, const double line[2])
 {
     float *rgba = draw(gl, text, RENDERER_EDGES_coverage);
@@ -90,7 +90,7 @@ static double worst_row(GlContext *gl, const char *text, const double line[2])
 }
 
 /* A valley: two panels that meet in a line and come 1.4 % of the distance nearer to the eye with
- * each pixel beside it. Their nearer pixels must not count as hiding the line. */
+ * each pixel away from the line. Their nearer pixels must not count as hiding the line. */
 static void valleys_are_blended(void **state)
 {
     static const char text[] = PICTURE

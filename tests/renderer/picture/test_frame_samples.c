@@ -1,6 +1,6 @@
-/* Samples of a pixel: a picture is the mean of one that is as many times as large, as a screen
- * sends light; of light, depth and slots the mean is plain, and what is no surface has no share in
- * a slot. In tiles, with edges, in compute and in fragments. */
+/* Supersampling: a picture is the mean of a larger one. Light is averaged as displayed radiance;
+ * light, depth and slots of views are averaged plainly, and samples without a surface have no
+ * weight in a slot. In tiles, with edges, in compute and in fragment programs. */
 /* ctest: seconds=19 */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"

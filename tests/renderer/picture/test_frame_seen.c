@@ -1,7 +1,6 @@
-/* Inputs that a draw call gives formulas, by closed forms: the direction to the viewer, for rays
- * from an eye and parallel ones, on meshes and on planes; time, also when it changes; the number of
- * an object, drawn by instances and one by one; attributes of the mesh's vertices, and their
- * slopes. */
+/* Per-draw inputs of formulas, by closed forms: the direction to the viewer, for perspective and
+ * parallel rays, on meshes and on planes; time, also when it changes; the object's number, drawn
+ * by instances and individually; attributes of the mesh's vertices, and their derivatives. */
 #include "runtime/tessellate/scene_scatter.h"
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
@@ -120,7 +119,7 @@ static void objects_have_numbers(void **state)
 }
 
 #ifdef MATC_ASSIMP
-/* A square in z = 0 from -3 to 3, its colours by its corners; `colors`: it has any. */
+/* A square in z = 0 from -3 to 3, with colors by its corners if `colors`. */
 static void write_mesh(const char *path, bool colors)
 {
     static const int rgba[4][4] = {
@@ -165,8 +164,8 @@ static float *draw_mesh(GlContext *gl, const char *path, const char *material, c
     return rgba;
 }
 
-/* Red is u and green is v, and a mesh without colours is white; a bump by red has the normals of a
- * bump by u. */
+/* Red is u and green is v, and a mesh without colors is white; a bump by red has the normals of
+ * a bump by u. */
 static void meshes_have_attributes(void **state)
 {
     (void)state;

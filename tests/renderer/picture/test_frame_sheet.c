@@ -1,5 +1,5 @@
-/* Planes whose transparency varies, as what casts shadows: what a second frame calls, what changes,
- * what is there and what is refused. That light is right, test_frame_cast.c says. */
+/* Planes with varying transparency as shadow casters: the calls of a second frame, changes,
+ * allocated targets and refused scenes. test_frame_cast.c checks the light. */
 /* ctest: seconds=10 */
 #include "tests/test.h"
 #include "tests/frame/frame_calls.h"
@@ -90,7 +90,7 @@ static bool move_sheet(Drawn *d)
     return renderer_changed_objects(d->renderer, 1, 1);
 }
 
-/* As a new renderer draws the scene, bit for bit, and not as it was. */
+/* A change gives the picture of a new renderer, bit for bit, and not the previous one. */
 static void changes(void **state)
 {
     (void)state;
@@ -160,8 +160,8 @@ static bool graph_has(const Renderer *renderer, const char *line)
     return found;
 }
 
-/* Eight bytes a pixel for each of two lights. Nothing where none casts shadows, or the driver has
- * no images; then what varies casts none. */
+/* Eight bytes per pixel for each of two lights. None without shadows, or on a driver without
+ * images; then surfaces of varying transparency cast no shadows. */
 static void capacity(void **state)
 {
     (void)state;

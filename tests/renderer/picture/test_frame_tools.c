@@ -1,6 +1,6 @@
-/* Tools: which pixels a line covers, by its closed form; that surfaces before it hide it, that it
- * is whole on the plane it lies in, and which colour it has behind glass, before tone mapping and
- * after; that nothing runs where there are none. */
+/* Tools: the pixels that a line covers, by its closed form; surfaces before it hide it, and a
+ * line in a plane is whole; its color behind glass, before tone mapping and after; no pass runs
+ * in a scene without tools. */
 /* ctest: seconds=14 */
 #include "tests/test.h"
 #include "runtime/post/tool_lines.h"
@@ -50,8 +50,8 @@ static float *draw(const char *text, const RendererOptions *how)
 
 /* -- which pixels */
 
-/* Where the camera at (3, -4, 2.5) that looks at the origin, 40 degrees over 160 pixels, sees a
- * point, in pixels. */
+/* Pixel position of a point for the camera at (3, -4, 2.5) that looks at the origin, 40 degrees
+ * over 160 pixels. */
 static void project(const double p[3], double at[2])
 {
     const double eye[3] = {3, -4, 2.5}, length = sqrt(9 + 16 + 6.25);
@@ -141,8 +141,8 @@ static void hidden(void **state)
     free(rgba);
 }
 
-/* A grid on an infinite plane, seen nearly along it, is the grid before nothing, pixel by pixel;
- * far from the origin, too, and without perspective. */
+/* A grid on an infinite plane, at a grazing angle, equals the grid without the plane, pixel by
+ * pixel; also far from the origin, and orthographically. */
 static void on_the_ground(void **state)
 {
     (void)state;
@@ -174,9 +174,9 @@ static void on_the_ground(void **state)
     }
 }
 
-/* Panes of two transmittances before the axes, and one behind, which does not count, lit by
- * nothing: a line's colour is times the product, whatever the tone mapping, the way of transparency
- * and the entry. */
+/* Unlit panes of two transmittances in front of the axes, and one behind, which has no effect: a
+ * line's color is multiplied by the product, for any tone mapping, transparency method and
+ * entry. */
 static void behind_glass(void **state)
 {
     (void)state;

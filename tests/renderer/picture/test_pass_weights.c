@@ -1,7 +1,7 @@
-/* Thresholds and weights of passes. Functions are cut out of pass_temporal.glsl, pass_denoise.glsl,
- * shadow.glsl and indirect_mask.glsl and run alone, with formulas in place of textures, against the
- * rules in double that their comments state. In a whole picture noise would hide an error of these
- * weights. */
+/* Thresholds and weights of passes. Functions are cut out of pass_temporal.glsl,
+ * pass_denoise.glsl, shadow.glsl and indirect_mask.glsl and run alone, with formulas in place of
+ * textures, against the rules in double that their comments state. In a whole picture noise
+ * would hide an error of these weights. */
 #include "tests/test.h"
 #include "gen/render_text.h"
 #include "tests/frame/frame_draw.h"

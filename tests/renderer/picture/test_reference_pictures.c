@@ -1,6 +1,7 @@
-/* Frames against pictures that Cycles and POV-Ray made of the same documents:
- * tests/reference/README.md. The light of each pixel, but along edges and where nothing is, which a
- * picture's alpha says. Then frames with faults that somebody might make: none of them may pass. */
+/* Frames against pictures of the same documents by Cycles and POV-Ray:
+ * tests/reference/README.md. Compares the light of each pixel, except along edges and in the
+ * background, by the mask in the picture's alpha. Then frames with inserted faults, each of
+ * which must fail. */
 /* ctest: unsanitized seconds=19 */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
@@ -23,7 +24,7 @@ typedef struct {
 #define STEP (1 / 255.)
 /* Cycles computes in floats. POV-Ray's files have 16 bits, and a reference is made of sixteen of
  * them (light_picture of by_povray.py), a sum of what is within 1e-6. The layout `integer` has
- * diffuse colours within 7.6e-6. llvmpipe decodes sRGB by a polynomial, within 9e-4. What is round
+ * diffuse colors within 7.6e-6. llvmpipe decodes sRGB by a polynomial, within 9e-4. What is round
  * is round for POV-Ray, and has 192 corners for us: highlights are off most. Panes let through what
  * ten bits of `integer` do not hold: half a step of these is 4.9e-4. Half shadows of 25 maps are
  * approximate: 9e-4. */
@@ -317,7 +318,7 @@ static void against_other_renderers(void **state)
 
 enum { MIRRORED, UPSIDE_DOWN, MOVED, DOUBLED, ENCODED, SWAPPED, BRIGHTER, FAULTS };
 
-/* Where a pixel of a frame with the fault comes from. */
+/* The source pixel of a frame's pixel under a fault. */
 static int source_of(const ReferencePicture *picture, int i, int fault)
 {
     const int x = i % picture->width, y = i / picture->width;

@@ -1,6 +1,6 @@
-/* Pictures in tiles against the same picture drawn whole: their rays bit for bit, rasterised
- * surfaces to the last bits; what memory a tile may take. `build/tests/test_tiles FILE... [egl]`
- * prints by how much tiles of these scenes are off. */
+/* Pictures in tiles against the same picture drawn whole: their rays bit for bit, rasterized
+ * surfaces to the last bits; the memory that a tile may take. `build/tests/test_tiles FILE...
+ * [egl]` prints the differences of these scenes. */
 /* ctest: seconds=16 */
 #include "tests/test.h"
 #include "tests/frame/frame_calls.h"
@@ -36,8 +36,8 @@ static const int tiles[][2] = {{WIDTH, 34}, {66, HEIGHT}, {66, 34}, {14, 62}, {W
     "[-15, 1, -15] }, "                                                                            \
     "material: { material: Phong, diffuse: .5, specular: .5, shininess: .8 } }]\n"
 
-/* A wall that faces the eye has one depth and one normal, which nothing rounds: what differs
- * between its pixels are their rays alone, and these are the picture's, bit for bit. */
+/* A wall that faces the eye has one depth and one normal, without rounding: its pixels differ
+ * only in their rays, which equal the picture's, bit for bit. */
 static void rays_are_the_pictures(void **state)
 {
     (void)state;
@@ -64,9 +64,9 @@ static void rays_are_the_pictures(void **state)
     gl_close(gl);
 }
 
-/* The rasteriser counts pixels from a tile's corner, and rounds what it interpolates there. So a
- * depth can be some ULP off, and a pixel whose centre an edge meets within 1/256 pixel fall to its
- * other side: at most one in 400. A tile that is moved by a pixel has them all. */
+/* The rasterizer counts pixels from a tile's corner, and rounds interpolated values there. A
+ * depth may differ by some ULP, and a pixel whose center is within 1/256 pixel of an edge may
+ * fall to the other side: at most one in 400. A tile that is off by one pixel has more. */
 static void seams_are_rounding(void **state)
 {
     (void)state;

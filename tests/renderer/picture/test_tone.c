@@ -1,6 +1,6 @@
-/* Tone mapping: what is shown against the formulas of scene.def in double, on the light that is
- * read back; what is measured of a picture, by both entries; black pictures, light that is no
- * number, infinite or all in one pixel. */
+/* Tone mapping: final pixels against the formulas of scene.def in double, applied to the light
+ * that is read back; the picture's statistics, by the fragment and the compute entry; black
+ * pictures, light that is NaN, infinite or all in one pixel. */
 /* ctest: seconds=11 */
 #include "tests/test.h"
 #include "gen/render_text.h"
@@ -119,7 +119,7 @@ static void map(const Mapping *m, const Picture *p, const double span[2], const 
     }
 }
 
-/* IEC 61966-2-1, of what is cut to 0 and 1. */
+/* IEC 61966-2-1, of a value clamped to [0, 1]. */
 static double encode(double c)
 {
     c = fmin(fmax(c, 0), 1);
@@ -168,7 +168,7 @@ static double off_by(GlContext *gl, const Mapping *m, const float *light, bool f
     return greatest;
 }
 
-/* Half a step of 8 bits, and what floats are off. */
+/* Within half a step of 8 bits, plus the rounding of floats. */
 static void formulas(void **state)
 {
     (void)state;

@@ -1,4 +1,4 @@
-/* glTF files with materials: as documents, what is not read and where that stands; their meshes in
+/* glTF files with materials: their documents, unsupported content and its place; their meshes in
  * parts; objects of a scene. */
 #include "grammar/lobe_table.h"
 #include "tests/gltf_folder.h"
@@ -73,7 +73,7 @@ static void materials_are_a_document(void **state)
     matc_document_free(document);
 }
 
-/* Where it stands in the file. */
+/* Unsupported content is reported with its place in the file. */
 static void what_is_not_read_is_reported(void **state)
 {
     (void)state;
@@ -179,7 +179,7 @@ static void a_mesh_has_the_files_materials(void **state)
     assert_fault(text, NULL);
 }
 
-/* Vertex colours multiply the base colour, and pictures may have the second set of coordinates: as
+/* Vertex colors multiply the base color, and pictures may use the second set of coordinates: as
  * attributes of the mesh. */
 static void meshes_have_colors(void **state)
 {
@@ -252,11 +252,11 @@ static void count_pictures(const Node *node, Pictures *found)
     }
 }
 
-/* glTF 2.0, section 3.9: the pictures of base colour, emission, sheen's and specular's colour are
- * sRGB, all others linear; 3.8.4: a texel is a point in the middle of its square. UsdPreviewSurface
- * and MaterialX have (0, 0) and (1, 1) at corners of the picture, not of texels, and leave colour
- * spaces to its own node. So it is in a document, too: what a map says itself goes first, what
- * another material has is as the document says. */
+/* glTF 2.0, section 3.9: the pictures of base color, emission, sheen color and specular color
+ * are sRGB, all others linear; 3.8.4: a texel is a point in the middle of its square. In
+ * UsdPreviewSurface and MaterialX (0, 0) and (1, 1) are corners of the picture, not of texels,
+ * and a separate node sets color spaces. Documents do the same: a map's own setting comes first,
+ * and pictures of other materials follow the document. */
 static void documents_have_pictures_as_files_do(void **state)
 {
     (void)state;

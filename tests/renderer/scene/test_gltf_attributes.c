@@ -1,6 +1,6 @@
-/* Attributes of a glTF's meshes that have names of the author's: each vertex has what the file says
- * of its place, whatever assimp joins, copies or leaves out; all component types by hand; files
- * that are wrong, or hostile. */
+/* Author-named attributes of glTF meshes: each vertex has the file's value for its position,
+ * whatever assimp joins, copies or leaves out; all component types by hand; invalid or hostile
+ * files. */
 #include "tests/gltf_folder.h"
 #include "runtime/mesh_import/model.h"
 
@@ -57,7 +57,7 @@ static int find(const Shape *shape, const char *name)
     return 0;
 }
 
-/* Whether a row of that place has these numbers, and (y, 0, 0, 1) is the second attribute's. */
+/* True if a row with that position has these numbers, and the second attribute is (y, 0, 0, 1). */
 static bool is_of_row(const float position[3], const float place[2], const float numbers[4],
                       const float y[4])
 {
@@ -69,7 +69,7 @@ static bool is_of_row(const float position[3], const float place[2], const float
     return false;
 }
 
-/* The file is y up: what is (x, y, z) there is (x, -z, y). */
+/* The file is y up: (x, y, z) in the file is (x, -z, y). */
 static void check_file(const char *name)
 {
     char path[128], error[1024] = "";
@@ -131,7 +131,7 @@ static void vertices_have_what_the_file_says(void **state)
     check_file("a.glb");
 }
 
-/* Rows 0 and 1 have these values of an accessor, of which view 2 has the bytes; others have 0 where
+/* Rows 0 and 1 have these values of an accessor whose bytes are in view 2; others have 0 if
  * `alone`. */
 static void check_rows(const char *accessor, const unsigned char bytes[16], const float want[2],
                        bool alone)

@@ -1,5 +1,5 @@
-/* glTF files that hold their pictures and triangles: .glb, data: addresses, buffers; lengths that
- * lie; meshes of them in parts. */
+/* glTF files with embedded pictures and triangles: .glb, data: URIs, buffers; wrong lengths;
+ * their meshes in parts. */
 #include "tests/gltf_folder.h"
 #include "runtime/mesh_import/model.h"
 #include "runtime/mesh_import/model_number.h"
@@ -20,7 +20,7 @@
     "{\"bufferView\":2,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\",\"min\":[4,0,-1],"     \
     "\"max\":[5,0,0]}]"
 
-/* A .glb of these chunks; lengths are what they are, but those that are given. */
+/* A .glb of these chunks, with correct lengths unless others are given. */
 typedef struct {
     const char *json;
     const void *binary; /* NULL: none */
@@ -90,8 +90,8 @@ static const char *shown_by(const char *name, const void *text, size_t size, cha
     return shown;
 }
 
-/* In the binary chunk, in a buffer that is a file or a data: address, or one itself: each shows
- * what the file of its own shows. */
+/* A picture in the binary chunk, in a buffer that is a file or a data: URI, or in a data: URI
+ * itself, equals that of a separate file. */
 static void pictures_are_within(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* Meshes out of files: a square whose tangents are known, in every format; what is missing; files
- * that are damaged or hostile. */
+/* Meshes from files: a square with known tangents, in every format; missing attributes; damaged
+ * or hostile files. */
 #include "tests/test.h"
 #include "runtime/mesh_import/model.h"
 #include <math.h>
@@ -295,7 +295,7 @@ static void faults_are_reported(void **state)
     (void)state;
     static const struct {
         const char *name, *text;
-        const char *why; /* a part of what is said; NULL: anything */
+        const char *why; /* part of the expected message; NULL: any */
     } cases[] = {
         {"empty.obj", "", NULL},
         {"empty.ply", "", NULL},
@@ -382,7 +382,7 @@ static void named_files_are_files(void **state)
                  names[i], GLTF_TAIL("4", "6"));
         write_text("names.gltf", text);
         assert_false(model_read(path_of("names.gltf", path), &shape, error, sizeof error));
-        if (!strstr(error, "could not open")) /* as of what is nowhere */
+        if (!strstr(error, "could not open")) /* the message is that for a missing file */
             fail_msg("%s as a buffer: %s", names[i], error);
     }
     alarm(0);
@@ -423,7 +423,7 @@ static void parts_are_checked(void **state)
         if (!why != !cases[i].why || (why && !strstr(why, cases[i].why)))
             fail_msg("%zu: %s", i, why ? why : "fine");
         for (int k = 0; !why && k < 3; k++)
-            assert_true(vertices[k].normal[2] == 1); /* what is no normal becomes one */
+            assert_true(vertices[k].normal[2] == 1); /* an invalid normal is replaced */
     }
 }
 

@@ -1,5 +1,5 @@
-/* Copies at random: the generator against published numbers, places by hand, that all of a range is
- * taken, what is refused. */
+/* Random copies: the generator against published numbers, places by hand, coverage of each
+ * range, refused values. */
 #include "tests/test.h"
 #include "runtime/tessellate/scene_scatter.h"
 #include "tests/frame/frame_draw.h"
@@ -25,8 +25,8 @@ static void published(void **state)
 
 #define RED "materials: { red: { material: RGBA, r: 1 } }\n"
 
-/* The first copy stands where the first numbers say, within the group around it; a seed gives the
- * same each time, another one others. */
+/* The first copy is at the place that the first random numbers give, within its group; equal
+ * seeds give equal copies, others differ. */
 static void places(void **state)
 {
     (void)state;

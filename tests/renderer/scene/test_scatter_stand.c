@@ -1,5 +1,5 @@
-/* Copies on surfaces that are displaced: where the height's closed form has them, along its normal,
- * in groups that are turned and scaled, and on surfaces that copies bring with them. */
+/* Copies on displaced surfaces: at the height of the closed form, along its normal, in rotated
+ * and scaled groups, and on surfaces that are part of copies. */
 #include <stdio.h>
 #include <stdlib.h>
 #include "tests/scene_text.h"
@@ -93,7 +93,7 @@ static void copies_stand_on_what_is_displaced(void **state)
     forget(scene, document);
 }
 
-/* Upright copies are moved and not turned; none on what is not displaced. */
+/* Upright copies are moved and not rotated; copies on undisplaced surfaces stay unchanged. */
 static void upright_and_flat(void **state)
 {
     (void)state;

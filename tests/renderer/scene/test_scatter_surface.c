@@ -1,5 +1,5 @@
-/* Copies on surfaces: evenly by area, by Pearson's chi-squared over cells that are equal in closed
- * form; along the normal or upright; as many as a density says; what is refused. */
+/* Copies on surfaces: uniform by area, by Pearson's chi-squared test over cells of equal area in
+ * closed form; along the normal or upright; as many as the density gives; refused values. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <unistd.h>
@@ -8,8 +8,8 @@
 
 enum { COPIES = 20000, CELLS = 100 };
 
-/* The sum of (seen - expected)^2 / expected over cells: its mean is cells - 1, its deviation sqrt(2
- * (cells - 1)). Five of them. */
+/* Checks the sum of (seen - expected)^2 / expected over cells: its mean is cells - 1, its
+ * standard deviation sqrt(2 (cells - 1)). Allows five deviations. */
 static void assert_even(const int *seen, const double *shares, int cells)
 {
     double sum = 0, total = 0;

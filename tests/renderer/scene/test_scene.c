@@ -1,5 +1,5 @@
-/* Scenes as they are read: matrices, cameras and lights by closed forms; solids by their volume,
- * and by what a step of u or v does to them. */
+/* Parsed scenes: matrices, cameras and lights by closed forms; solids by their volume, and by
+ * the effect of a step of u or v. */
 #include "runtime/tessellate/scene_solid.h"
 #include "tests/test.h"
 #include <math.h>
@@ -65,8 +65,8 @@ static void transformations(void **state)
     }
 }
 
-/* A material is there once, whoever uses it: by name, by alias, from around; and what nobody uses
- * is not. */
+/* A material exists once for all its users: by name, by alias, inherited; an unused one does not
+ * exist. */
 static void materials(void **state)
 {
     (void)state;
@@ -178,8 +178,8 @@ static void check_triangles(const Shape *shape, double within)
     }
 }
 
-/* A method by its name, or as a truth value; what casts none has none; and one for all that cast
- * some. */
+/* A method by its name, or as a truth value; a light without shadows has none; and one method
+ * for all lights with shadows. */
 static void methods_of_shadows(void **state)
 {
     (void)state;
@@ -212,7 +212,7 @@ static void solids(void **state)
     const struct {
         SceneObject object;
         double volume, within; /* of the volume, relative; */
-        double step;           /* an edge is what the derivatives promise, within that */
+        double step;           /* an edge equals that of the derivatives within this tolerance */
     } cases[] = {
         {{.kind = SCENE_Sphere, .numbers = {2, 192}}, 4 / 3. * PI * 8, 2e-3, 1e-3},
         {{.kind = SCENE_Sphere, .numbers = {2, 33}}, 4 / 3. * PI * 8, 2e-2, 5e-2},
@@ -360,8 +360,8 @@ static const char *write_file(const char *name, const char *text)
     return path;
 }
 
-/* A mesh stands where its file has it, y up turned to z up; objects share it. A material of a file,
- * by its name. */
+/* A mesh keeps its file's position, with y up rotated to z up; objects share it. A file's
+ * material, by its name. */
 static void files(void **state)
 {
     (void)state;

@@ -1,8 +1,8 @@
 /* Camera, motion and origin of scenes against numbers written down by hand from
- * docs/reference/language.md and scene.def: each kind, with each key at its default and away from
- * it.
+ * docs/reference/language.md and scene.def: each kind, with each key at its default and away
+ * from it.
  *
- *     camera: { camera: Perspective, angle: 90 }   half is tan 45 degrees: 1 */
+ *   camera: { camera: Perspective, angle: 90 }   half is tan 45 degrees: 1 */
 #include "tests/scene_values.h"
 
 /* -- Camera and motion ------------------------------------------------------------------------- */
@@ -151,8 +151,8 @@ static void each_motion(void **state)
 
 /* -- Origin ------------------------------------------------------------------------------------ */
 
-/* The example of scene_origin.h. All positions are relative to where the plane stands; edges and
- * directions stay. The time is that of the options. */
+/* The example of scene_origin.h. All positions are relative to the plane's; edges and directions
+ * stay. The time is that of the options. */
 static void far_from_the_origin(void **state)
 {
     (void)state;

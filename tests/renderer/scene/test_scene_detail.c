@@ -1,6 +1,6 @@
-/* Detail by the size in the picture: outlines of bodies with fewer sides, by projections written
- * down here; meshes that displaced copies share, against the same points moved one by one; which
- * scenes have it; the warning of a scene of too many triangles. */
+/* Level of detail by size in the picture: outlines of solids with fewer sides, by projections
+ * written down here; meshes that displaced copies share, against the same points displaced
+ * individually; which scenes use detail; the warning about a scene of too many triangles. */
 #include "runtime/tessellate/scene_displace.h"
 #include "runtime/tessellate/scene_solid.h"
 #include "tests/scene_text.h"
@@ -12,8 +12,8 @@
 
 static const double allowed = .125; /* pixels */
 
-/* The greatest distance of a side from the body that it stands for: of a sphere that of the planes
- * of its triangles. */
+/* The greatest distance of a face from the solid that it approximates: for a sphere that of its
+ * triangles' planes. */
 static double sagitta(const SceneObject *object)
 {
     Shape shape;
@@ -75,7 +75,8 @@ static bool project(const SceneCamera *c, const Scene *scene, const double at[3]
            fabs(pixel[1]) < scene->height / 2.;
 }
 
-/* Where a light's ray through a point meets the ground, z = 0; false: it does not. */
+/* Intersection of a light's ray through a point with the ground, z = 0; false if there is no
+ * intersection. */
 static bool cast(const SceneLight *light, const double at[3], double to[3])
 {
     double way[3];
@@ -168,8 +169,7 @@ static const char *const cameras[] = {
     "camera: { camera: Orthographic, position: [0, -90, 40], target: [0, 0, 0], size: 90, depth: "
     "400 }\n"};
 
-/* In every frame of a camera that moves, too, through the midst of the bodies; some are seen with
- * each number of steps. */
+/* Also in every frame of a camera that moves through the solids; each step count occurs. */
 static void outlines_and_shadows_are_right(void **state)
 {
     (void)state;

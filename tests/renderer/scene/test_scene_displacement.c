@@ -1,6 +1,6 @@
-/* Displaced meshes without a picture: where vertices go, by closed forms; that what is closed stays
- * closed, bit for bit; that none goes beyond what matc says of its material; which objects share a
- * mesh, and what is refused. */
+/* Displaced meshes without a picture: vertex positions, by closed forms; closed meshes stay
+ * closed, bit for bit; no vertex exceeds matc's bound for its material; which objects share a
+ * mesh, and refused scenes. */
 #include "tests/test.h"
 #include "tests/scene_whole.h"
 #include "runtime/scene/scene.h"
@@ -284,7 +284,7 @@ static void objects_share_meshes(void **state)
     }
 }
 
-/* A plane has no points to move. What would be too much is said. */
+/* A plane has no points to displace. Too many triangles are reported. */
 static void what_cannot_be_is_reported(void **state)
 {
     (void)state;

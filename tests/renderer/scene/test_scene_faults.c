@@ -1,10 +1,10 @@
-/* Faults of scenes, with their places and words; several faults in one run; aliases that would
- * unfold to 4^30 objects. */
+/* Errors of scenes, with their places and texts; several errors in one run; aliases that would
+ * expand to 4^30 objects. */
 #include "tests/test.h"
 #include <stdio.h>
 #include "tests/scene_text.h"
 
-/* The first line that is said; what stands behind has the source. */
+/* The first line of the message; the place is in the source. */
 static void faults(void **state)
 {
     (void)state;
@@ -168,7 +168,7 @@ static void faults(void **state)
         assert_fault(cases[i].text, cases[i].reported);
 }
 
-/* One run tells several faults, each once, though an alias stands for one of them twice. */
+/* One run reports several errors, each once, though an alias repeats one of them. */
 static void several(void **state)
 {
     (void)state;

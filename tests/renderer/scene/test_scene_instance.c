@@ -1,5 +1,5 @@
-/* Objects that are drawn more than once: instances of definitions, by their matrices and materials;
- * what is refused, and where. */
+/* Objects that are drawn more than once: instances of definitions, by their matrices and
+ * materials; refused scenes with the place of the error. */
 #include <stdio.h>
 #include "tests/scene_text.h"
 

@@ -1,5 +1,5 @@
-/* Limits of scenes: the last value that passes and the first that is refused. scene.h, scene_area.h
- * and scene_origin.c name the limits, docs/reference/stability.md lists those that an author may
+/* Limits of scenes: the last accepted value and the first refused one. scene.h, scene_area.h and
+ * scene_origin.c define the limits; docs/reference/stability.md lists those that an author may
  * meet. */
 #include "runtime/scene_reader/scene_read.h"
 #include "tests/test.h"
@@ -19,7 +19,7 @@ static Scene *read(const char *text, MatcDocument **document)
     return scene;
 }
 
-/* `fine` is read, `beyond` is refused with a message that has these words. */
+/* `fine` is accepted, `beyond` is refused with a message that contains these words. */
 static void assert_border(const char *fine, const char *beyond, const char *words)
 {
     MatcDocument *document;

@@ -1,6 +1,6 @@
-/* Ranges of vectors: every vector that scene.def has is bounded, is accepted at either border in
- * each component, and is a fault with its place one step beyond. Transforms have no row of their
- * own and end where a float does. */
+/* Ranges of vectors: every vector of scene.def has a range, is accepted at both bounds in each
+ * component, and is an error with its place one step outside. Transforms have no row of their
+ * own; their range is that of a float. */
 #include "tests/scene_text.h"
 #include <float.h>
 #include <stdlib.h>
@@ -39,8 +39,8 @@ static void put_text(const SceneParamRow *row, int component, double value, char
              scene_kind_table[row->kind].name, vector);
 }
 
-/* Whether a value is refused for its range; it may be for what it means, as a view along `up`
- * is. */
+/* True if a value is refused for its range; other refusals, as for a view along `up`, do not
+ * count. */
 static bool is_out_of_range(const SceneParamRow *row, int component, double value)
 {
     char text[512], fault[96], *reported;

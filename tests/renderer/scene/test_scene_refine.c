@@ -1,6 +1,7 @@
-/* Bisection: whatever is divided, in whatever order, no edge has a point of another triangle
- * within, seen by the half-edges alone; and by error: what is flat stays as it is, what is found is
- * finer, and the error is that of many times as many triangles of an even division. */
+/* Bisection: after any order of splits no edge has another triangle's vertex in its interior,
+ * checked by the half-edges alone. Bisection by error: flat parts are not split, features that
+ * are found are finer, and the error equals that of a uniform subdivision with many times as
+ * many triangles. */
 #include "tests/test.h"
 #include "runtime/tessellate/scene_bisection.h"
 #include "runtime/tessellate/scene_divide.h"
@@ -228,7 +229,8 @@ static double even_error(const Shape *square, int parts, Height *height)
     return error;
 }
 
-/* At least so many times less than that of an even division of as many triangles. */
+/* The error is smaller than that of a uniform subdivision with as many triangles, at least by
+ * this factor. */
 static void error_is_less(void **state)
 {
     (void)state;
@@ -254,9 +256,9 @@ static void error_is_less(void **state)
     shape_free(&square);
 }
 
-/* Where all triangles miss on one side their corners leave the surface, which takes more than a
- * third off the error; none goes farther than the farthest that was asked for, and what is nearly
- * flat beside a cliff stays. */
+/* If all triangles err to one side, their corners leave the surface, which reduces the error by
+ * more than a third; no corner moves farther than the farthest sample, and nearly flat parts
+ * next to a cliff stay. */
 static void corners_leave_what_is_bent(void **state)
 {
     (void)state;

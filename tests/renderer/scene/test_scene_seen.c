@@ -1,6 +1,6 @@
-/* Bisection by what is seen: pixels of a length by closed forms; and of a terrain, how far its
- * triangles are from where the material has them, as the camera sees it, projected here by the
- * camera's own numbers. */
+/* View-dependent bisection: a length in pixels by closed forms; and for a terrain, the distance
+ * of its triangles from the material's surface in the picture, projected here by the camera's
+ * own numbers. */
 #include "runtime/tessellate/scene_displace.h"
 #include "tests/test.h"
 #include "tests/scene_whole.h"
@@ -55,7 +55,7 @@ static void lengths_have_pixels(void **state)
     }
 }
 
-/* In a motion the frame counts in which the point is largest. */
+/* In a motion the frame in which the point is largest counts. */
 static void the_nearest_frame_counts(void **state)
 {
     (void)state;
@@ -77,7 +77,7 @@ static void the_nearest_frame_counts(void **state)
     forget(scene, document);
 }
 
-/* Where a point is in the picture; false: it is not in it. */
+/* Position of a point in the picture; false if outside. */
 static bool project(const Scene *scene, const double at[3], double pixel[2])
 {
     const SceneCamera *c = &scene->camera;
@@ -94,7 +94,7 @@ static bool project(const Scene *scene, const double at[3], double pixel[2])
 
 typedef struct {
     double square;
-    int count, over; /* points in view; those that are off by more than twice what may be */
+    int count, over; /* visible points; those with more than twice the allowed error */
     int triangles[2];
 } Found;
 

@@ -1,9 +1,9 @@
 /* Settings of scenes against numbers written down by hand from docs/reference/language.md and
  * scene.def: picture, tone mapping, shadow maps, displacement, voxels, tools and indirect light.
- * Each key is at its default once and away from it once; a part that a text does not name keeps its
- * defaults.
+ * Each key is at its default once and away from it once; a part that a text does not name keeps
+ * its defaults.
  *
- *     toneMapping: { toneMapping: Filmic, exposure: -2 }   a factor of 1/4, all else by default */
+ *   toneMapping: { toneMapping: Filmic, exposure: -2 }   a factor of 1/4, all else by default */
 #include "tests/scene_values.h"
 
 typedef struct {
@@ -372,7 +372,7 @@ static void indirect_light(void **state)
     }
 }
 
-/* Writes what a word of `quality` stands for, from the table: "rays: 4, resolution: half". */
+/* Writes the settings of a keyword of `quality`, from the table: "rays: 4, resolution: half". */
 static void put_keys(Keyword word, char *text, size_t size)
 {
     *text = 0;
@@ -390,7 +390,7 @@ static void put_keys(Keyword word, char *text, size_t size)
     }
 }
 
-/* Each quality is read as the keys that it stands for, and `normal` as none. */
+/* Each quality is read like its settings, and `normal` like none. */
 static void quality_is_its_keys(void **state)
 {
     (void)state;

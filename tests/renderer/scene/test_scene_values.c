@@ -1,10 +1,10 @@
 /* Lights, suns and objects of scenes against numbers written down by hand from
- * docs/reference/language.md, scene.def and semantics.md: each kind, with each key at its default
- * and away from it. The renderer's reference reads what the scene reader parsed, so no picture
- * shows a factor that is missing there.
+ * docs/reference/language.md, scene.def and semantics.md: each kind, with each key at its
+ * default and away from it. The renderer's reference uses the parsed scene, so no picture would
+ * show a factor that the reader omits.
  *
- *     light: Hemisphere, ground: [.5, .25, .125], intensity: 4   ground is (2, 1, .5)
- *     light: Spot, innerAngle: 60, outerAngle: 90   the cosines are 1/2 and 0 */
+ *   light: Hemisphere, ground: [.5, .25, .125], intensity: 4   ground is (2, 1, .5)
+ *   light: Spot, innerAngle: 60, outerAngle: 90   the cosines are 1/2 and 0 */
 #include "tests/scene_values.h"
 
 #define QUARTER   "1.5707963267948966" /* radians */
@@ -280,8 +280,8 @@ static void each_object(void **state)
     all_kinds_met(SCENE_SORT_object, met);
 }
 
-/* A group, an instance of a definition and a copy of Scatter, each with its matrix around that
- * of the object. The copy stands at (0, 0, 0) as all its ranges are 0, and is scaled by 3. */
+/* A group, an instance of a definition and a copy of Scatter, each with its matrix applied after
+ * the object's. The copy is at (0, 0, 0) because all its ranges are 0, and is scaled by 3. */
 static void objects_within_others(void **state)
 {
     (void)state;
@@ -356,7 +356,8 @@ static void copies(void **state)
     forget(scene, document);
 }
 
-/* An object's name follows those of its groups; what has none has NULL. Nothing is hidden yet. */
+/* An object's name follows those of its groups; unnamed objects have NULL. No object is hidden
+ * initially. */
 static void names(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* Volumes instead of surfaces, as triangles: closed, with the volume, the holes and the normals of
- * closed forms; on bases that are flat, curved, open, or of several sides. */
+/* Volumetric displacement as triangles: closed, with the volume, holes and normals of closed
+ * forms; on flat, curved, open and multi-sided bases. */
 #include "runtime/tessellate/scene_displace.h"
 #include "runtime/scene/scene_places.h"
 #include "tests/test.h"
@@ -282,8 +282,8 @@ static bool solid_there(void *user, SceneColumn *columns, int count)
     return true;
 }
 
-/* Where heights are smooth a point of the surface asks for three or four columns along its edge,
- * and for four around it; of a cliff all points over an edge are found together. */
+/* For smooth heights a surface point requests three or four columns along its edge, and four
+ * around it; at a cliff all points above an edge are found together. */
 static void few_columns_are_asked_for(void **state)
 {
     (void)state;

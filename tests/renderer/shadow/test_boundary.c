@@ -1,5 +1,5 @@
-/* The measure of matbench shadows: ends of discs by their closed forms, seen straight and aslant;
- * what is not measured. */
+/* The error measure of matbench shadows: boundaries of discs by closed forms, seen
+ * perpendicularly and obliquely; pixels that are not measured. */
 #include "tests/test.h"
 #include "tests/frame_reference/boundary.h"
 #include <math.h>
@@ -14,8 +14,8 @@ typedef struct {
     float light[PIXELS], truth[PIXELS], shares[PIXELS];
 } Picture;
 
-/* Discs around the middle of a plane that pixels see at x = across[0] i + across[1] j, y = up[0] i
- * + up[1] j; and to the right another surface. */
+/* Discs around the middle of a plane with pixels at x = across[0] i + across[1] j, y = up[0] i +
+ * up[1] j; on the right another surface. */
 static Picture *picture_of(const double across[2], const double up[2], double true_radius,
                            double radius)
 {
@@ -54,8 +54,8 @@ static void discs(void **state)
     compare((double[]){.3, .1}, (double[]){.2, -.2}, 20, 19);
 }
 
-/* Pixels that face away, are empty, or lie on two surfaces, add neither length nor area: half of
- * the plane. */
+/* Pixels that face away, are empty, or lie on two surfaces add neither length nor area: half of
+ * the plane remains. */
 static void halves(void **state)
 {
     (void)state;

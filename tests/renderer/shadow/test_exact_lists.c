@@ -1,6 +1,6 @@
-/* Lists of exact shadows, as the driver's programs make them: whatever stands between a point and a
- * light, in double, is in the list of the point's cell; each cell has all triangles that cover any
- * of it, by a clipper that goes through cell by cell, and few others. */
+/* Triangle lists of exact shadows, as made on the GPU: every triangle between a point and a
+ * light, in double, is in the list of the point's cell; each cell has all triangles that cover
+ * any of it, by a clipper that visits cell by cell, and few others. */
 /* ctest: seconds=11 */
 #include "tests/test.h"
 #include "runtime/exact/exact_cover.h"
@@ -30,8 +30,8 @@ typedef struct {
     ExactTriangles triangles;
 } Objects;
 
-/* All sizes down to `least` of the greatest, needles and points among them; as floats. */
-static Objects some_objects(int count, double least)
+/* Triangles of all sizes down to `least` of the greatest, with needles and points; as floats. */
+static Objects some_things(int count, double least)
 {
     Objects made = {.corners = malloc((size_t)count * sizeof *made.corners + 1),
                     .all = {.count = count, .box = {{-2, -2, -2}, {2, 2, 2}}}};
@@ -101,7 +101,7 @@ static void close_made(Made *made)
     free(made->words);
 }
 
-/* Whether a triangle is met by at + t way, 0 < t < most: by volumes. */
+/* True if a triangle is hit by at + t way, 0 < t < most: by signed volumes. */
 static bool is_met(const ExactCorners corners, const double at[3], const double way[3], double most)
 {
     double from[3][3], sides[3], normal[3], edge[2][3];
@@ -130,7 +130,7 @@ static const uint32_t *head_of(const Made *made, int light)
     return made->words + (size_t)made->heads[light] * EXACT_LISTS_HEAD;
 }
 
-/* Its first word, and that behind its last. */
+/* The first word of a cell's list, and the one after its last. */
 static void list_of(const Made *made, const uint32_t *head, long cell, const uint32_t *list[2])
 {
     const uint32_t *pair = made->words + head[EXACT_LISTS_CELLS] + EXACT_LISTS_PAIR * cell;
@@ -151,7 +151,7 @@ static bool is_listed(const Made *made, const uint32_t *head, long cell, uint32_
     return found;
 }
 
-/* How many triangles were met, each of which is listed. */
+/* Returns the number of hit triangles, each of which must be listed. */
 static int count_met(const Objects *objects, const Made *made, int light, int points)
 {
     const uint32_t *head = head_of(made, light);
@@ -175,7 +175,8 @@ static int count_met(const Objects *objects, const Made *made, int light, int po
 
 /* -- cell by cell */
 
-/* Triangles in cells: those that cover any of it, that may be listed, and that are. */
+/* Counts of triangles in cells: those that overlap a cell, those that may be listed, and those
+ * that are. */
 typedef struct {
     long covered, wide, listed;
 } Counts;
@@ -263,8 +264,8 @@ static void cells(void **state)
     free_objects(&objects);
 }
 
-/* So many large triangles that the programs' own lists of blocks of rows, and the lists, have to be
- * made longer; then few of them again. */
+/* So many large triangles that the programs' lists of row blocks, and the lists, must grow; then
+ * few of them. */
 static void many_large(void **state)
 {
     (void)state;
@@ -291,8 +292,8 @@ static void many_large(void **state)
     free_objects(&few);
 }
 
-/* With less room cells are wider, and the lists are as complete; with too little, it is said how
- * much there has to be. */
+/* With less memory cells are larger, and the lists still complete; with too little, the message
+ * states the needed amount. */
 static void less_capacity(void **state)
 {
     (void)state;

@@ -1,6 +1,6 @@
-/* Cascades of a directional light: their texels stand still while the camera moves and turns, and
- * so do ends of shadows in pictures. That light is right in each of them, test_frame_cast.c
- * says. */
+/* Cascades of a directional light: their texels stay fixed in the world while the camera moves
+ * and turns, and so do shadow boundaries in pictures. test_frame_cast.c checks the light in each
+ * cascade. */
 #include "runtime/tessellate/scene_solid.h"
 #include "tests/test.h"
 #include "runtime/renderer/passes.h"
@@ -61,8 +61,8 @@ static void move(SceneCamera *camera, double along, double turn)
     }
 }
 
-/* Between two neighboring frames no map moves by a part of a texel. Returns how many have got other
- * texels. */
+/* Between consecutive frames no map moves by a fraction of a texel. Returns the number of maps
+ * with another texel size. */
 static int count_jumps(const ShadowViews *before, const ShadowViews *after)
 {
     static const double points[3][3] = {{0, 0, 0}, {3, 20, 1}, {-40, 70, 0}};
@@ -120,8 +120,9 @@ static void texels_stand_still(void **state)
 
 enum { WIDTH = 96, HEIGHT = 64, STEPS = 6 };
 
-/* A parallel view moves by a pixel at a time, a tenth of a unit; texels of the first map are .06.
- * So what a pixel shows, its neighbour shows next: at the end of a shadow as well. */
+/* An orthographic camera moves by one pixel per frame, a tenth of a unit; texels of the first
+ * map are .06. Each pixel must equal its neighbor of the previous frame, also at shadow
+ * boundaries. */
 static void shadows_stand_still(void **state)
 {
     (void)state;

@@ -1,7 +1,7 @@
-/* Shadows of what lets light through, against rays of Embree that go on through it with the
- * oracle's transparency in double. A pixel is compared wherever no end of a shadow is near: where
- * points of the tangent planes of all its layers, a few texels away as each light sees them, have
- * the same light. There a shadow map knows all that a ray does. */
+/* Shadows of transparent casters, against Embree's rays that continue through them with the
+ * oracle's transparency in double. A pixel is compared unless a shadow boundary is near: points
+ * of the tangent planes of all its layers, a few texels away as each light sees them, must have
+ * the same light. There a shadow map has the ray's information. */
 /* ctest: unsanitized unoptimized seconds=50 */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
@@ -33,7 +33,7 @@ static double reach_of_cascade(const Scene *scene, const double point[3])
     return 1.6 * (depth < 22 ? 25 : depth < 88 ? 100 : 400);
 }
 
-/* Something's transparency varies: its shadows fall by maps. */
+/* True if an object's transparency varies, so that its shadows come from maps. */
 static bool has_cut_outs(const Scene *scene)
 {
     bool has = false;
@@ -44,8 +44,8 @@ static bool has_cut_outs(const Scene *scene)
     return has;
 }
 
-/* How far a light's texel reaches at a point, as the documents say. Exact shadows have none: what
- * is transparent is lit at a point that is lifted by 1/64 of a pixel, 0.001. */
+/* Texel width of a light's map at a point, by the documentation. Exact shadows have no map:
+ * transparent surfaces are lit at a point offset by 1/64 of a pixel, 0.001. */
 static double texel_at(const Scene *scene, const SceneLight *light, const double point[3])
 {
     if (light->shadows == KEYWORD_Shadows_exact && !has_cut_outs(scene))
@@ -55,7 +55,7 @@ static double texel_at(const Scene *scene, const SceneLight *light, const double
     return shadow_texel(scene, light, point, reach);
 }
 
-/* The light that arrives there is that of all points beside it. */
+/* True if the same light arrives at all nearby points. */
 static bool is_even(const Tracer *tracer, const SceneLight *light, const Hit *hit)
 {
     const double step =
@@ -173,8 +173,8 @@ static Count compare(GlContext *gl, const char *text, const RendererOptions *wit
     "translation: [-.8, "                                                                          \
     "1.4, .9], scale: [-1, 1, 1] } }\n"
 
-/* Panes one over the other, with the ground and a ball between; a clear ball with a solid in it;
- * boxes that cross. */
+/* Stacked panes, with the ground and a ball between; a clear ball with a solid inside;
+ * intersecting boxes. */
 #define PANES                                                                                      \
     "- { object: Parallelogram, u: [1.2, 0, 0], v: [0, 1.2, 0], material: clear, transform: { "    \
     "translation: [-.5, "                                                                          \
@@ -255,7 +255,7 @@ static const Lamp uncascaded = {"one map", "Directional", false, true, "filter: 
                                 4,         true,          false};
 enum { LAMPS = sizeof lamps / sizeof *lamps };
 
-/* The light stands at an angle, 6 from the origin, and shines there. */
+/* The light is at an angle, 6 from the origin, directed at the origin. */
 static void write_scene(const Lamp *lamp, const double angle[2], const char *objects, bool colored,
                         char text[TEXT])
 {
@@ -306,7 +306,7 @@ static void by_every_angle(const Lamp *lamp, const char *objects, bool colored,
     assert_int_equal(by_angles(lamp, objects, colored, options).wrong, 0);
 }
 
-/* More than half transparent, in the mean of all channels, casts none; all else does. */
+/* Surfaces with a mean transmittance above one half cast no shadow; all others do. */
 static void cut_outs(void **state)
 {
     (void)state;
@@ -314,7 +314,7 @@ static void cut_outs(void **state)
         by_every_angle(&lamps[i], OBJECTS, false, &(RendererOptions){0});
 }
 
-/* All light is multiplied by what is between, and by nothing that is behind. */
+/* Light is multiplied by the transmittance of surfaces in front of the light, and by no other. */
 static void colors(void **state)
 {
     (void)state;
@@ -323,8 +323,8 @@ static void colors(void **state)
             by_every_angle(&lamps[i], OBJECTS PANES, true, &(RendererOptions){.fragment = i == 1});
 }
 
-/* Casters that volumes have no room for are looked up in maps, on opaque surfaces and on
- * transparent ones. */
+/* Casters that volumes cannot represent are looked up in maps, on opaque and on transparent
+ * surfaces. */
 static void colors_beside_volumes(void **state)
 {
     (void)state;
@@ -390,7 +390,7 @@ static void sheets(void **state)
     }
 }
 
-/* In each of them all is as exact as its texels are; one map for all is not. */
+/* In each cascade the error is that of its texels; a single map has a greater error. */
 static void cascades(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* Coloured shadows by their closed form, and what is there for them: lists where something
- * transparent casts shadows, and nowhere else. */
+/* Colored shadows by their closed form, and their resources: fragment lists exist only in lights
+ * with transparent casters. */
 /* ctest: seconds=50 */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
@@ -12,8 +12,7 @@
 
 enum { PANES_MAX = 10, TEXT = 8192 };
 
-/* From under panes and under an infinite plane of glass: on the ground, which is an infinite plane
- * as well. */
+/* Below panes and an infinite plane of glass: on the ground, which is an infinite plane as well. */
 static void write_panes(int panes, double expected[3], char text[TEXT])
 {
     int size = snprintf(
@@ -41,7 +40,7 @@ static void write_panes(int panes, double expected[3], char text[TEXT])
     }
 }
 
-/* Most that a pixel is off. */
+/* Greatest error of a pixel. */
 static double panes_off(GlContext *gl, int panes, const RendererOptions *options)
 {
     static char text[TEXT];
@@ -74,8 +73,8 @@ static void products(void **state)
     matc_layout_free(layout);
 }
 
-/* Products if there is no room for all at once: some dozens of parts, of rows; and the other entry.
- * */
+/* Products in parts of rows, some dozens, if memory is too small for all at once; and by the
+ * other entry. */
 static void products_in_parts(void **state)
 {
     (void)state;
@@ -150,7 +149,7 @@ static void capacity(void **state)
     }
 }
 
-/* Shadows that a scene lacks, here or with an older driver, are told. */
+/* Features that a scene or an older driver lacks are reported. */
 static void lacks_are_reported(void **state)
 {
     (void)state;

@@ -1,6 +1,6 @@
-/* Exact shadows: no pixel is wrong by Embree's rays, and by all triangles in double where those are
- * asked again. `build/tests/test_frame_exact 10000000` draws as many pixels at least, and `...
- * 10000000 egl` on a GPU. */
+/* Exact shadows: no pixel is wrong by Embree's rays, or, for pixels that disagree, by all
+ * triangles in double. `build/tests/test_frame_exact 10000000` draws at least as many pixels,
+ * and `... 10000000 egl` on a GPU. */
 /* ctest: seconds=31 */
 #include "tests/test.h"
 #include "tests/frame/frame_change.h"
@@ -16,7 +16,7 @@ enum { SETS = 3 /* of objects */ };
 static int wide = 72, high = 54; /* pixels of a picture */
 static GlKind kind;
 
-/* Bodies that cross, needles, sheets a hair apart, copies in one place. */
+/* Intersecting objects, needles, almost coincident sheets, coincident copies. */
 #define NASTY                                                                                      \
     "- { object: Sphere, radius: .7, detail: 48, material: m, transform: { translation: [-.9, "    \
     "-.4, .5] } }\n"                                                                               \
@@ -161,7 +161,7 @@ static void changes(void **state)
     gl_close(gl);
 }
 
-/* Transparent objects cast shadows by maps, beside opaque ones. */
+/* Transparent objects cast shadows by maps, together with opaque ones. */
 static void glass(void **state)
 {
     (void)state;
@@ -170,7 +170,7 @@ static void glass(void **state)
     gl_close(gl);
 }
 
-/* OpenGL 4.3 draws each object by itself, which has to be told the number of its first triangle. */
+/* OpenGL 4.3 draws each object separately, with the number of its first triangle as a uniform. */
 static void no_instances(void **state)
 {
     (void)state;

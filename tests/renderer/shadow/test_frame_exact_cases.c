@@ -1,6 +1,6 @@
-/* Exact shadows where chance would hardly come: rays through edges bit for bit, what is beyond a
- * light, a camera that moves past what is opaque alone, copies of which one is mirrored, glass that
- * casts in two ways at once. */
+/* Exact shadows in cases that random scenes hardly reach: rays exactly through edges, geometry
+ * behind a light, a camera that moves past opaque objects only, copies of which one is mirrored,
+ * glass with two kinds of shadow at once. */
 /* ctest: seconds=22 */
 #include "tests/test.h"
 #include "tests/frame/frame_change.h"

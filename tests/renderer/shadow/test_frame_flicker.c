@@ -1,5 +1,5 @@
-/* Steps of a moving light: no pixel flickers by exact shadows that does not by rays; by maps some
- * do. The measure of flicker by hand. */
+/* Steps of a moving light: with exact shadows no pixel flickers that does not flicker by rays;
+ * with shadow maps some do. The flicker measure is checked by hand. */
 #include "tests/test.h"
 #include "tests/frame/flicker.h"
 #include "tests/frame/frame_draw.h"
@@ -25,8 +25,8 @@ enum { WIDE = 72, HIGH = 54, PIXELS = WIDE * HIGH, STEPS = 32 };
     "translation: [.6, -1.4, 0] } "                                                                \
     "}\n"
 
-/* By hand: what should turn once turns three times, or as it should but a step later, or not at
- * all; or is not seen for a while. */
+/* By hand: a pixel with one true turn turns three times, or once but a step later, or not at
+ * all; or is invisible for a while. */
 static void by_hand(void **state)
 {
     (void)state;
@@ -91,7 +91,7 @@ static void step(Drawn *drawn, float *rgba)
                 renderer_frame(drawn->renderer) && renderer_read(drawn->renderer, rgba));
 }
 
-/* Shares by rays; a tie as it was drawn. */
+/* Shares by rays; ties take the drawn value. */
 static void trace(const Scene *scene, const float *with, const float *without, float shares[PIXELS])
 {
     Tracer tracer = reference_open(scene);

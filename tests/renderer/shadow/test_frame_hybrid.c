@@ -1,6 +1,6 @@
-/* Hybrid shadows against rays of Embree for each kind of light and volume, outside of a stated band
- * around the ends of shadows; a shadow's end by its closed form; paths of data against each other,
- * bit for bit; turned diagonals against distances from planes. */
+/* Hybrid shadows against Embree's rays for each kind of light and volume, outside of a stated
+ * band around shadow boundaries; a boundary by its closed form; data paths against each other,
+ * bit for bit; flipped diagonals against distances from planes. */
 /* ctest: unsanitized */
 #include "tests/test.h"
 #include "gen/render_text.h"
@@ -25,9 +25,9 @@ enum { WIDTH = 120, HEIGHT = 90, PIXELS = WIDTH * HEIGHT, SIZE = 256 };
     SEEN_BY("Orthographic, position: [-1, -6, 5], target: [0, 0, .5], size: 5.5, depth: 12.5")
 #define LEVEL SEEN_BY("Perspective, position: [0, -7, 1.5], target: [0, 0, 1.5], angle: 42")
 #define VIEW  SEEN_BY("Perspective, position: [1.5, -7, 4], target: [0, 0, .5], angle: 42")
-/* Closed, as what casts hybrid shadows is; one is mirrored, one above the light of a lamp at the
- * origin's height. */
-#define OBJECTS                                                                                    \
+/* Closed meshes, as hybrid shadows require; one is mirrored, one above the light of a lamp at
+ * the origin's height. */
+#define THINGS                                                                                     \
     "objects:\n- { object: Plane, material: m }\n"                                                 \
     "- { object: Sphere, radius: .8, material: m, transform: { translation: [-.6, -.4, 1.2] } }\n" \
     "- { object: Box, material: m, transform: { translation: [1, .5, .5], rotation: [0, 0, .3], "  \
@@ -41,7 +41,8 @@ enum { WIDTH = 120, HEIGHT = 90, PIXELS = WIDTH * HEIGHT, SIZE = 256 };
     ".9], rotation: [.4, 0, "                                                                      \
     ".3] } }\n"
 
-/* Light that arrives at each pixel, as a share of all of it; -1 where none would. From malloc. */
+/* Share of the light that arrives at each pixel; -1 where none would without shadows. From
+ * malloc. */
 static float *shares_of(GlContext *gl, Scene *scene, const MatcOptions *options)
 {
     float *with = frame_floats(gl, scene, &(RendererOptions){.compile = options, .view = "light"});
@@ -124,8 +125,8 @@ static Count compare(GlContext *gl, const Case *c)
         "Point, position: [0, .6, 1.1]", 2, volume, band, VIEW                                     \
     }
 
-/* The volume's walls stand up to a texel off, and depths of a texel hold half a texel beside its
- * centre; means reach two texels further. */
+/* The volume's walls are up to a texel off, and a texel's depth holds within half a texel of its
+ * center; means reach two texels further. */
 static void rays(void **state)
 {
     (void)state;
@@ -162,8 +163,8 @@ static void rays(void **state)
 /* -- a shadow's end */
 
 /* Light from above onto a box whose edge is 1: the map is fitted to it, 2 (filter + 2) texels
- * wider. The shadow ends at the outermost centre of a texel that the box covers, or, stretched,
- * where that centre is taken to be. */
+ * wider. The shadow ends at the outermost center of a texel that the box covers, or, stretched,
+ * where that center is taken to be. */
 static double end_of_shadow(bool stretched)
 {
     const double half = .5 * (1 + 6.0 / SIZE);
@@ -231,7 +232,7 @@ static void ends(void **state)
 
 /* -- diagonals */
 
-/* From the plane of the other three corners, in double; the quad's edges are 1 long. */
+/* Distance from the plane of the other three corners, in double; the quad's edges are 1 long. */
 static double distance_of(const double z[4], int corner)
 {
     static const double x[4] = {0, 1, 1, 0}, y[4] = {0, 0, 1, 1};
@@ -253,7 +254,7 @@ static bool is_turned(const double z[4])
     return (far[1] > far[0] && far[1] > far[2]) || (far[3] > far[0] && far[3] > far[2]);
 }
 
-/* All quads of four depths from 0 to 7, which are exact: 4096 of them, a pixel each. */
+/* All quads of four depths from 0 to 7, which are exact: 4096, one pixel each. */
 static void diagonals(void **state)
 {
     (void)state;
@@ -295,8 +296,8 @@ static void diagonals(void **state)
     gl_close(gl);
 }
 
-/* A box that moves changes what the map is fitted to: a frame is then that of a new renderer, bit
- * for bit. */
+/* A moved box changes the fit of the map: a frame then equals that of a new renderer, bit for
+ * bit. */
 static void changes(void **state)
 {
     (void)state;
@@ -359,7 +360,7 @@ static void draw_path(GlContext *gl, const char *volume, const char *path, float
     frame_forget(scene, document);
 }
 
-/* Paths draw the same, bit for bit; what is moved goes with them. */
+/* All data paths draw the same, bit for bit, also after a move. */
 static void paths(void **state)
 {
     (void)state;

@@ -1,6 +1,6 @@
-/* Where hybrid shadows begin: at a caster's back faces, so that light comes through at the foot of
- * a step, up to the first texel's centre beyond it. By its closed form, for bodies that lie
- * elsewhere in the map's grid of texels. */
+/* Start of hybrid shadow volumes at a caster's back faces: light leaks at the foot of a step, up
+ * to the first texel center next to it. Compared with the closed form, for objects at several
+ * positions relative to the map's texels. */
 #include "tests/test.h"
 #include "runtime/shadow/shadow_state.h"
 #include "runtime/frame_graph/frame.h"
@@ -55,7 +55,7 @@ static const char text[] =
     "objects:\n- { object: Sphere, material: m }\n";
 
 /* Light goes along (1, 0, -1): a point (x, z) and one of the floor at x + z are in one line with
- * it. Texels' centres are `texel` apart there, and the first one behind the riser's foot is at
+ * it. Texels' centers are `texel` apart there, and the first one behind the riser's foot is at
  * `gap`. There the map has the riser's back, at the height gap; one before, the floor's lower side,
  * at x = 1 + gap - texel. The volume's wall goes from the one to the other, and meets the floor in
  * between. */
@@ -69,7 +69,7 @@ static double wall_at(const ShadowView *view, int size, double *gap)
     return (1 + *gap - texel) * *gap / (1 + *gap);
 }
 
-/* The first x behind the riser that is dark. */
+/* The first dark x behind the riser. */
 static double begin_of(const float *shares)
 {
     int pixel = 0;
@@ -79,7 +79,7 @@ static double begin_of(const float *shares)
     return (pixel + .5) / 640;
 }
 
-/* Where shadows begin on the floor, by the method. */
+/* Start of shadows on the floor, by the method. */
 static double begin_by(const ShadowPair *pair, Scene *scene, Keyword method)
 {
     scene->lights[0].shadows = method;

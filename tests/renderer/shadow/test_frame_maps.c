@@ -1,5 +1,5 @@
-/* Number of shadow maps of a light, nearest shadow caster, surfaces that must not shadow
- * themselves: limits that scene.def and shadow_views.c name. */
+/* Number of a light's shadow maps, distance of the nearest shadow caster, surfaces that must not
+ * shadow themselves: limits that scene.def and shadow_views.c name. */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include <stdio.h>

@@ -1,5 +1,5 @@
-/* Shadows of meshes that others made (tests/meshes), against rays of Embree: how far their ends are
- * off, on four receivers. */
+/* Shadows of third-party meshes (tests/meshes), against Embree's rays: the error of their
+ * boundaries, on four receivers. */
 /* ctest: unsanitized seconds=29 */
 #include "tests/test.h"
 #include "tests/frame_reference/shadow_ends.h"
@@ -7,7 +7,7 @@
 #include <string.h>
 
 /* Bounds are half again of what llvmpipe draws; exact shadows are off by pixels whose points a
- * rasteriser and a ray have on other triangles, and where the dragon has holes: what looks away
+ * rasterizer and a ray have on other triangles, and where the dragon has holes: what looks away
  * from the light there is taken to be dark. */
 enum { PIXELS = 768 }; /* of 320 a dozen wrong ones would be the figure */
 typedef struct {
@@ -16,7 +16,7 @@ typedef struct {
     double most[SHADOW_ENDS_RECEIVERS]; /* texels */
 } Case;
 
-/* How many of them are farther off than they may be. */
+/* Number of receivers whose error exceeds the bound. */
 static int ends_of(const ShadowPair *pair, const Case *c)
 {
     Shape shape = meshes_read(c->mesh);
@@ -32,7 +32,7 @@ static int ends_of(const ShadowPair *pair, const Case *c)
     return far;
 }
 
-/* The argument: exact shadows of this mesh alone are looked at, as the largest takes a minute. */
+/* The argument: tests exact shadows of this mesh alone, as the largest takes a minute. */
 static const char *alone;
 
 static void ends_are_true(void **state)

@@ -1,5 +1,5 @@
-/* A shadow technique that stands in this file alone: its row and GLSL take part in all that shared
- * code does. Expected values are shares of the light without shadows. */
+/* A shadow technique that is defined in this file alone: its row and GLSL take part in all
+ * shared code. Expected values are shares of the light without shadows. */
 #include "tests/test.h"
 #include "runtime/renderer/passes.h"
 #include "runtime/shadow/shadow_method.h"
@@ -50,8 +50,8 @@ static const ShadowMethod by_views = {
 
 /* -- pictures */
 
-/* The light of the scene by a technique in the place of the one of its word; by none without one.
- * From malloc. */
+/* Draws the scene's light with a replacement for the technique of its keyword; NULL: the
+ * original one. From malloc. */
 static float *light_of(GlContext *gl, const Scene *scene, const ShadowMethod *method)
 {
     const MatcOptions options = frame_exact_options();

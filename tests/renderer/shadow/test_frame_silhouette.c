@@ -1,6 +1,6 @@
-/* Silhouette shadows against rays of Embree: mean distances of their ends from the true ones, on
- * four receivers; pixels that are wrong away from ends, for each kind of light, from half a degree
- * over the ground to straight above. */
+/* Silhouette shadows against Embree's rays: mean distances of their boundaries from the true
+ * ones, on four receivers; wrong pixels away from boundaries, for each kind of light, from half
+ * a degree over the ground to straight above. */
 /* ctest: unsanitized seconds=17 */
 #include "tests/test.h"
 #include "tests/frame/shadow_band.h"
@@ -37,7 +37,7 @@ static void ends_are_true(void **state)
 /* -- pixels away from ends */
 
 #define HEAD "image: { width: 120, height: 90 }\nshadowMaps: { size: 256 }\n"
-/* Bodies that cross, copies in one place, a box without width, triangles without area. */
+/* Intersecting objects, coincident copies, a box without width, degenerate triangles. */
 #define NASTY                                                                                      \
     "- { object: Sphere, radius: .7, material: m, transform: { translation: [-.9, -.4, .5] } }\n"  \
     "- { object: Sphere, radius: .7, material: m, transform: { translation: [-.3, -.2, .6] } }\n"  \
@@ -52,7 +52,7 @@ static void ends_are_true(void **state)
     "} }\n"                                                                                        \
     "- { object: Cylinder, radius: .3, height: .000001, material: m, transform: { translation: "   \
     "[.6, -1.9, .5] } }\n"
-/* Half in the ground, where an infinite plane hides triangles. */
+/* Half below the ground, an infinite plane that hides triangles. */
 #define SUNK                                                                                       \
     "- { object: Sphere, radius: .6, material: m, transform: { translation: [-.4, -2, .1] } }\n"
 typedef struct {
@@ -61,7 +61,7 @@ typedef struct {
     int acne, leaks; /* wrong ones */
 } Count;
 
-/* Across all objects of a scene; texels around a point in which all has to agree. */
+/* Width of all objects of a scene; radius in texels within which all rays have to agree. */
 static const double REACH = 11.5, BAND = 1;
 
 static int expected(const Tracer *tracer, const Hit *hit)
@@ -87,7 +87,7 @@ static void add_pixel(const Tracer *tracer, int pixel, double share, Count *coun
     count->leaks += wanted == 0 && share > .5;
 }
 
-/* The argument `all` asks for all angles with all lamps. */
+/* The argument `all` selects all angles with all lamps. */
 static bool all_of_them;
 
 static Count by_lamp(const ShadowPair *pair, const ShadowScene *from)
@@ -106,7 +106,7 @@ static Count by_lamp(const ShadowPair *pair, const ShadowScene *from)
     return count;
 }
 
-/* `most` leaks may be found. */
+/* At most `most` leaks are allowed. */
 static void by_every_lamp(const ShadowPair *pair, const char *name, const char *objects[2],
                           int most)
 {

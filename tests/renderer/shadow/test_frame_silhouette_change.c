@@ -1,5 +1,5 @@
-/* Silhouette shadows of a scene that changes, beside other lights, with something of glass, and on
- * drivers that cannot have them. */
+/* Silhouette shadows of a changing scene, with other lights, with glass, and on drivers without
+ * the needed features. */
 /* ctest: seconds=25 */
 #include "tests/test.h"
 #include "tests/frame/frame_change.h"
@@ -21,7 +21,7 @@ static void changes(void **state)
     gl_close(gl);
 }
 
-/* Other triangles are seen where something opaque has moved, and nothing is counted again. */
+/* A moved opaque object changes the visible triangles, without a recount. */
 static void microfacets(void **state)
 {
     (void)state;

@@ -1,6 +1,6 @@
-/* Silhouette shadows: ends of shadows by closed forms, where several edges cross one segment
- * between texels, where an edge is hidden below the ground, where an edge runs along the centres of
- * texels, and where normals are not the surface's. */
+/* Silhouette shadow boundaries by closed forms: several edges that cross one segment between
+ * texels, an edge hidden below the ground, an edge along texel centers, and normals that differ
+ * from the surface's. */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame_reference/shadow_ray.h"
@@ -29,7 +29,7 @@ typedef struct {
     double lean;       /* of the ground's normals, in degrees, along y */
 } Case;
 
-/* Centres of texels are at 83.5, 84.5, ... from the middle. */
+/* Centers of texels are at 83.5, 84.5, ... from the middle. */
 static const Case cases[] = {
     {"one edge", {{.9, 83.8, 0}}, 83.8, 0, 0},
     {"two edges on a segment, the upper one farther", {{.9, 84.2, 0}, {.4, 83.7, 0}}, 84.2, 0, 0},
@@ -61,7 +61,7 @@ static void put_scene(const Case *c, char *text, size_t size)
                            c->casters[i].middle, c->casters[i].turned);
 }
 
-/* The ground as a mesh of these vertices, as a bump map would have it. */
+/* The ground as a mesh with leaning normals, as by a bump map. */
 static void lean_ground(Scene *scene, double lean, ShapeVertex vertices[4], SceneMesh *mesh)
 {
     static uint32_t indices[6] = {0, 1, 2, 0, 2, 3};

@@ -1,7 +1,6 @@
-/* Soft shadows of area lights, against Embree's rays to all of a light. What is off is counted in
- * shares of the light that would arrive without shadows, which is the reference's, in double.
- * `build/tests/test_frame_soft SEED SIZE` takes other rays and other pixels, and maps of that size,
- * for which there are no bounds but for 512. */
+/* Soft shadows of area lights, against Embree's rays to all of a light. The error is a share of
+ * the unshadowed light, which is the reference's, in double. `build/tests/test_frame_soft SEED
+ * SIZE` takes other rays and other pixels, and maps of that size; only size 512 has bounds. */
 /* ctest: unsanitized seconds=28 */
 #include "tests/test.h"
 #include "tests/frame/frame_change.h"
@@ -75,7 +74,7 @@ static int map_size = MAPS;
     "{ light: Area, position: [-1.2, -1.5, -.5], u: [0, 3, 0], v: [.5, 0, 2], intensity: 9, "      \
     "bothSides: true }"
 
-/* Errors as they were measured, the worst of the seeds 1 to 6; twice that is allowed. */
+/* Measured errors, the worst of the seeds 1 to 6; the bound is twice that. */
 typedef struct {
     const char *name, *light, *objects[2], *maps;
     double rms, most;
@@ -104,7 +103,7 @@ static const Case cases[] = {
 };
 enum { CASES = sizeof cases / sizeof *cases };
 
-/* A layout of what the materials have, so that programs are small. */
+/* A layout of the materials' slots only, so that programs are small. */
 static MatcOptions lean_options(void)
 {
     MatcOptions options = frame_exact_options();
@@ -136,7 +135,7 @@ typedef struct {
     const MatcOptions *options;
 } Judge;
 
-/* Transparent surfaces are compared in their shadow only. */
+/* Transparent surfaces are compared only in their shadow. */
 static void add_pixel(const Judge *judge, int pixel, const float *rgba, Error *error)
 {
     const int x = pixel % WIDTH, y = pixel / WIDTH;
@@ -265,8 +264,8 @@ static void changes(void **state)
     gl_close(gl);
 }
 
-/* An area light knows maps alone: another method for all lights leaves it as it is, none does
- * not. */
+/* Area lights support only maps: another method for all lights does not change them, `none`
+ * does. */
 static void methods(void **state)
 {
     (void)state;

@@ -1,6 +1,6 @@
-/* Shadow volumes that silhouettes cut: the triangles of a cell close it, however it is crossed;
- * ends of shadows beside those of plain volumes; what is transparent, what changes, and what is
- * refused. test_frame_hybrid.c has them by rays, and an end by its closed form. */
+/* Shadow volumes cut by silhouettes: the triangles of a cell close it, for every crossing;
+ * shadow boundaries compared with plain volumes; transparent casters, changes, and refused
+ * scenes. test_frame_hybrid.c compares them with rays, and a boundary with its closed form. */
 /* ctest: unsanitized seconds=14 */
 #include "tests/test.h"
 #include "gen/render_text.h"
@@ -16,7 +16,7 @@
 
 enum { ROWS = 7, MOST = 10, RING = 12, NUMBERS = ROWS * 3 * MOST };
 
-/* The numbers of an array of the text, without its comments. */
+/* Reads the numbers of an array in the GLSL text, without its comments. */
 static int read_numbers(const char *name, int *numbers, int most)
 {
     const char *at = strstr(render_text_volume_cells, name);
@@ -32,7 +32,7 @@ static int read_numbers(const char *name, int *numbers, int most)
     return count;
 }
 
-/* Which segments of a row's cells are crossed. */
+/* Bits of the crossed segments for each row of cells. */
 static const int crossed_of[ROWS] = {0, 1, 1, 1 | 8, 1 | 4, 1 | 2 | 8, 15};
 
 /* The corners that surround a cell, in order. */
@@ -47,8 +47,8 @@ static int ring_of(int crossed, int ring[RING])
     return count;
 }
 
-/* Each edge of the ring is one triangle's, in its order; all others are two triangles', once each
- * way round; and there are as many as it takes. */
+/* Each edge of the ring belongs to one triangle, in the ring's direction; every other edge to
+ * two triangles, once in each direction; and the number of triangles is minimal. */
 static void triangles_close_cells(void **state)
 {
     (void)state;
@@ -100,7 +100,7 @@ static void ends_are_near(void **state)
 
 /* A roof that is .98 radians steep, with a sheet .08 below it that it covers, and a beam over both,
  * whose sides cross segments of a texel each: beyond the beam's end the roof's own surface goes on
- * by its slope. As high as at the centre beyond, it would be up to .39 too low, and the sheet
+ * by its slope. As high as at the center beyond, it would be up to .39 too low, and the sheet
  * lit. */
 #define ROOF                                                                                       \
     "image: { width: 96, height: 64 }\nmaterials: { m: { material: Phong, diffuse: .5 } }\n"       \
@@ -152,7 +152,7 @@ static void the_slope_goes_on_behind_a_cut(void **state)
     "- { object: Box, material: m, transform: { translation: [1, .5, .9], rotation: [0, 0, .3] } " \
     "}\n"
 
-/* A floor of glass is lit as a solid one: its fragments look up the triangles that the stencil
+/* A floor of glass is lit like a solid one: its fragments look up the triangles that the stencil
  * counts. */
 static void glass_is_lit_as_floors_are(void **state)
 {

@@ -1,5 +1,5 @@
-/* Views of shadow volumes and of objects as lines: what they cover and how light they are by closed
- * forms; what they leave as it is; changes, tiles, and what is refused. */
+/* Views of shadow volumes and wireframes: their coverage and brightness by closed forms; pixels
+ * that must stay unchanged; changes, tiles, and refused settings. */
 #include "tests/test.h"
 #include "runtime/renderer/renderer.h"
 #include "tests/frame/frame_draw.h"
@@ -53,7 +53,7 @@ static void close_scene(Drawn *d)
 }
 
 /* The map is fitted to the box, 2 (filter + 2) texels wider; the volume ends at the outermost
- * centre that the box covers. */
+ * center that the box covers. */
 static double end_of_volume(void)
 {
     const double half = .5 * (1 + 6.0 / SIZE);
@@ -82,8 +82,8 @@ static void ray_of(const SceneCamera *camera, int pixel, double from[3], double 
     }
 }
 
-/* Where the ray first meets the column of that half width below the height 2: the cosine between it
- * and the wall's normal, or -1: nowhere; -2: near an end of what is seen. */
+/* First hit of the ray with the column of that half width below the height 2: the cosine to the
+ * wall's normal; -1: no hit; -2: near a visible edge. */
 static double column_facing(const double from[3], const double way[3], double half)
 {
     double enter[2], leave[2], near = -1e9, far = 1e9;
@@ -179,8 +179,8 @@ static void the_scene_stays_where_no_volume_is(void **state)
 
 /* -- lines */
 
-/* From the front a box is a square, 22.5 pixels an edge: its outline and diagonals are there, and
- * nothing else. */
+/* From the front a box is a square, 22.5 pixels wide: exactly its outline and diagonals are
+ * drawn. */
 static void a_box_as_lines(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* Silhouette shadows: which part of a cell between four texels' centres is covered, against
- * polygons in double. */
+/* Silhouette shadows: the covered part of a cell between four texel centers, against polygons in
+ * double. */
 #include "tests/test.h"
 #include "gen/render_text.h"
 #include "runtime/gpu_material/screen_pass.h"
@@ -28,7 +28,7 @@ static Cell cell_of(int number)
     return cell;
 }
 
-/* Whether a point is in the polygon around the ring of corners that are `covered`, or not. */
+/* True if a point is in the polygon around the ring of covered, or uncovered, corners. */
 static bool is_in_ring(const Cell *cell, bool covered)
 {
     static const double corners[5][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}};
@@ -50,8 +50,8 @@ static bool is_in_ring(const Cell *cell, bool covered)
     return crossed % 2;
 }
 
-/* Two opposite corners have one ring around both if they are joined: more than half of the segments
- * is covered. */
+/* Two opposite covered corners share one ring if they are joined: if more than half of the
+ * segments is covered. */
 static bool is_covered(const Cell *cell)
 {
     const bool *c = cell->covered;
@@ -64,7 +64,7 @@ static bool is_covered(const Cell *cell)
     return sum > 2 ? is_in_ring(cell, true) : !is_in_ring(cell, false);
 }
 
-/* All cases, with a pixel each for many cuts and places. */
+/* All cases, with one pixel each for many cuts and positions. */
 static void cells(void **state)
 {
     (void)state;

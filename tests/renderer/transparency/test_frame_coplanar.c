@@ -1,6 +1,6 @@
-/* Glass that stands on something opaque: its face there lies in the same plane, and no pixel takes
- * it for nearer. Each picture is compared with that of a block that reaches a little below, whose
- * face is hidden for certain. */
+/* Glass on an opaque surface: the touching faces are coplanar, and no pixel shows the glass as
+ * nearer. Each picture is compared with that of a block that extends slightly below, whose face
+ * is certainly hidden. */
 /* ctest: unsanitized */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
@@ -65,8 +65,8 @@ static bool is_apart(const float *a, const float *b)
     return false;
 }
 
-/* Pixels that differ, of those through which the glass is seen; its outline, which moves with its
- * lower side by a fraction of a pixel, is few. */
+/* Number of pixels that differ among those that show the glass; the outline, which moves with
+ * its lower side by a fraction of a pixel, is small. */
 static void faces_on_the_floor_are_hidden(void **state)
 {
     int faults = 0;

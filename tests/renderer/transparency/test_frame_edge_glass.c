@@ -1,5 +1,5 @@
-/* Edges and glass: lines of what is behind it, its own outlines, before something near and before
- * nothing. Against 8 x 8 samples of each pixel. */
+/* Edges and glass: edges behind glass, the glass' own outlines, in front of near objects and of
+ * the background. Against 8 x 8 samples per pixel. */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include <math.h>
@@ -43,7 +43,7 @@ static const struct {
      .3},
 };
 
-/* Root of the mean square of what pixels differ by, as sRGB from 0 to 1. */
+/* Root mean square difference of pixels, as sRGB in [0, 1]. */
 static double difference(const float *a, const float *b)
 {
     double sum = 0;

@@ -1,5 +1,5 @@
-/* Transparent surfaces: layers against their closed form, scenes against the reference, lists
- * against peeling; what there is no room for. */
+/* Transparent surfaces: layers against their closed form, scenes against the reference,
+ * per-pixel lists against depth peeling; lists whose memory is too small. */
 /* ctest: unsanitized unoptimized seconds=35 */
 #include "tests/test.h"
 #include "tests/frame/frame_compare.h"
@@ -68,7 +68,7 @@ static void closed_form(const Pane *panes, int count, double sum[3])
     }
 }
 
-/* Greatest difference of any pixel from a colour. */
+/* Greatest difference of any pixel from a color. */
 static double farthest(const float *rgba, int pixels, const double color[3])
 {
     double greatest = 0;
@@ -78,7 +78,7 @@ static double farthest(const float *rgba, int pixels, const double color[3])
     return greatest;
 }
 
-/* As drivers before OpenGL 4.3 are, as far as the renderer asks. */
+/* Hides features of OpenGL 4.3 and later that the renderer queries. */
 static void grow_old(GlContext *gl)
 {
     gl->major = gl->minor = 3;
@@ -242,7 +242,7 @@ static const char clear_pane[] = "{ material: Phong, diffuse: 0, transparency: [
 static const char bright_pane[] = "{ material: Phong, diffuse: 0, emissive: .5, transparency: .5 }";
 static const char nothing_pane[] = "{ material: Phong, diffuse: 0, transparency: 1 }";
 
-/* Two panes at one depth, behind so many that change nothing. */
+/* Two panes at one depth, behind `before` panes without effect. */
 static float *draw_two(int way, const char *const materials[2], int before)
 {
     char text[1 << 13];
@@ -292,7 +292,7 @@ static void none_of_equal_depth_is_lost(void **state)
     "2.5], target: [0, 0, "                                                                        \
     ".5], "                                                                                        \
     "angle: 30 }\n"
-/* For what takes the reference long. */
+/* A small picture for scenes whose reference is slow. */
 #define SMALL                                                                                      \
     "image: { width: 180, height: 120 }\ncamera: { camera: Perspective, position: [2.5, -6, "      \
     "2.5], target: [0, 0, "                                                                        \

@@ -1,5 +1,5 @@
-/* Transparent objects are drawn from the farthest on where their fragments go to lists, for any
- * camera; the picture does not depend on it. */
+/* Transparent objects whose fragments go to lists are drawn far to near, for any camera; the
+ * picture does not depend on the order. */
 #include "tests/test.h"
 #include "runtime/frame_graph/frame.h"
 #include "tests/frame/frame_draw.h"
@@ -10,7 +10,7 @@
 
 enum { PANES = 21, LAYERS = 96, SIDE = 24, COMPONENTS = SIDE * SIDE * 4 };
 
-/* Panes one above the other in no order, three pairs of them at one height, seen from above; a box
+/* Stacked panes in arbitrary order, three pairs of them at equal heights, seen from above; a box
  * among them. */
 static int height_of(int pane) { return pane * 8 % PANES / 2 * 2 - pane * 8 % PANES / 16; }
 
@@ -97,8 +97,8 @@ static void farthest_first(void **state)
     frame_forget(scene, document);
 }
 
-/* Panes of two sizes, in turns, are two groups: a pixel's list is then two runs of half as many,
- * each in order, in which every fragment of one stands between two of the other. */
+/* Panes of two sizes, in turns, are two groups: a pixel's list then has two sorted runs of half
+ * the length, whose fragments alternate. */
 static void write_turns(char *text, size_t capacity)
 {
     size_t size = (size_t)snprintf(
