@@ -199,7 +199,8 @@ static void put_memory(Text *out, const Renderer *renderer)
         else if (target == FRAME_TARGET_far)
             light_far_put(out, renderer);
         else if (renderer->targets.plan.memory[i][0] < 0)
-            text_format(out, "%-13s  %-24s  not allocated\n", frame_target_name(target), formats.at);
+            text_format(out, "%-13s  %-24s  not allocated\n", frame_target_name(target),
+                        formats.at);
         else {
             text_format(out, "%-13s  %-24s  ", frame_target_name(target), formats.at);
             put_bytes(out, frame_bytes(renderer, target), frame_shared_bytes(renderer, target));

@@ -43,7 +43,7 @@ static double lambda(double alpha, double cosine)
 
 /* Value of the lobe in a direction, for a Fresnel term of 1, and the density of sampled normals;
  * 0 below the horizon. */
-static double lobe(const Facets *f, const double l[3], double *density)
+static double lobe(const Microfacets *f, const double l[3], double *density)
 {
     *density = 0;
     if (l[2] <= 0)
@@ -58,7 +58,7 @@ static double lobe(const Facets *f, const double l[3], double *density)
 }
 
 /* Reflects at a sampled visible normal (Heitz 2018), by two numbers in (0, 1). */
-static void choose(const Facets *f, const double u[2], double l[3])
+static void choose(const Microfacets *f, const double u[2], double l[3])
 {
     const double x = f->alpha * f->eye[0], size = hypot(x, f->eye[2]),
                  w[2] = {x / size, f->eye[2] / size};
@@ -125,7 +125,7 @@ static double difference(const Microfacets *f, const double m[3])
 }
 
 /* Nelder and Mead's simplex method, starting at m. */
-static void descend(const Facets *f, double step, double m[3])
+static void descend(const Microfacets *f, double step, double m[3])
 {
     double corner[4][3], value[4];
     for (int i = 0; i < 4; i++) {

@@ -126,7 +126,7 @@ static void frame_around(const double normal[3], double axes[3][3])
 
 /* Reflects the eye's ray at a sampled visible normal: a point of the disc, lifted onto the
  * hemisphere that faces the stretched eye (Heitz 2018). */
-static void facet_way(const double eye[3], double alpha, const double at[2], double way[3])
+static void microfacet_way(const double eye[3], double alpha, const double at[2], double way[3])
 {
     const double stretched[3] = {alpha * eye[0], alpha * eye[1], eye[2]},
                  size = sqrt(dot(stretched, stretched));
@@ -157,7 +157,7 @@ static void facet_way(const double eye[3], double alpha, const double at[2], dou
 }
 
 /* Density of directions sampled by visible normals. */
-static double facet_density(const double eye[3], double alpha, const double way[3])
+static double microfacet_density(const double eye[3], double alpha, const double way[3])
 {
     const double half[3] = {eye[0] + way[0], eye[1] + way[1], eye[2] + way[2]};
     return microfacets_along(half[2] / sqrt(dot(half, half)), alpha) / (1 + masked(eye[2], alpha)) /

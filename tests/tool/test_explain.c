@@ -79,7 +79,7 @@ static void examples_show_something(void **state)
     }
 }
 
-/* The judge sees black. What is flat under the light is told by its warning: a transformer
+/* The judge sees black. Its warning reports what is flat under the light: a transformer
  * alone. */
 static void nothing_is_seen(void **state)
 {

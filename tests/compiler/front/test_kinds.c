@@ -177,8 +177,8 @@ static void wrong_kinds_are_errors_with_a_place(void **state)
     assert_int_equal(faults, 0);
 }
 
-/* Warnings are found by nodes, inputs before their users, and told by lines; a note stays with what
- * it is of. */
+/* Warnings are found by nodes, inputs before their users, and reported by lines; a note stays with
+ * what it is of. */
 static void warnings_come_by_lines(void **state)
 {
     (void)state;

@@ -228,7 +228,7 @@ static void mixed_sets_have_cases(void **state)
 }
 
 /* At every level, in every pass, and with numbers that come from a buffer, each material of the set
- * has a case; one that the set is not for is refused, and its slots are told. */
+ * has a case; one that the set is not for is refused, and its slots are reported. */
 static void none_is_without_a_case(void **state)
 {
     (void)state;

@@ -159,8 +159,8 @@ static double quantile(const Judged *judged, double share)
     return judged->share[(int)(share * (judged->count - 1))];
 }
 
-/* Whether a ball is Cycles': each component; all light; and the brightest, which is what facets
- * reflect once, of smooth ones: of rough ones Cycles' noise. */
+/* Whether a ball is Cycles': each component; all light; and the brightest, which is what
+ * microfacets reflect once, of smooth ones: of rough ones Cycles' noise. */
 static bool agrees(const Judged *judged, int ball, bool reported)
 {
     static const double all[] = {.005, .05, .08, .12}, most[] = {.02, .02, 9, 9};

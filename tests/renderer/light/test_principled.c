@@ -73,7 +73,7 @@ static const char around[] =
     "return vec4(surfaceAmbient(m, vec3(1.0)), 1.0); }\n";
 
 /* A parallelogram of radiance 1 around a direction near the mirrored one: areaOfSide() by the
- * approximation of facets, and by Phong's lobe of equal width. */
+ * approximation of microfacets, and by Phong's lobe of equal width. */
 static const char areas[] =
     "vec4 passPixel(ivec2 p) {\n"
     "    vec3 v = toward(cosineOf(p), 0.0), n = vec3(0.0, 0.0, 1.0), to = toward(clamp(v.z + 0.5 * "

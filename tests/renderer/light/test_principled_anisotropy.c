@@ -180,7 +180,7 @@ static double masking(const Pixel *p, const double v[3])
     return (sqrt(1 + (s[0] * s[0] + s[1] * s[1]) / (s[2] * s[2])) - 1) / 2;
 }
 
-/* GGX's facets per solid angle, of two widths, their slopes being x and y. */
+/* GGX's microfacets per solid angle, of two widths, their slopes being x and y. */
 static double distribution(const Pixel *p, const double h[3])
 {
     const double x = -(h[0] * p->along[0] + h[1] * p->along[1]) / h[2],

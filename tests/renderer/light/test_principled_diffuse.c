@@ -10,7 +10,7 @@
 
 enum { SIDE = 20 };
 
-/* A pixel is a roughness of facets, by its row, and an angle, by its column: cosines from 0.1
+/* A pixel is a roughness of microfacets, by its row, and an angle, by its column: cosines from 0.1
  * on. */
 static const char head[] =
     "struct Surface { vec3 normal, diffuse, specular; float metalness, roughness, reflectance, "
@@ -44,7 +44,7 @@ static const char lobes[] =
     "0.137), varied(p, 0.382), roughOf(p)); s.specular = vec3(0.0);\n"
     "    return vec4(surfaceLobe(surfaceLit(s, toward(cosineOf(p), 0.0)), lightOf(p)), 1.0); }\n";
 /* The base alone, which is nearly diffuse: directions by the cosine. Other tests take the rest, the
- * reflection of facets and layers. */
+ * reflection of microfacets and layers. */
 static const char furnace[] =
     "vec3 sent(Surface s, vec3 v) {\n"
     "    Surface flat_ = s; flat_.diffuseRoughness = 0.0;\n"
@@ -186,8 +186,8 @@ static void base_is_its_definition(void **state)
     assert_true(worst[0] < .003 && worst[1] < .001);
 }
 
-/* Light that facets do not reflect, by their integrals. Twenty roughnesses, at angles kept in a
- * table. */
+/* Light that microfacets do not reflect, by their integrals. Twenty roughnesses, at angles kept in
+ * a table. */
 enum { ANGLES = 200 };
 static double albedos[SIDE][ANGLES][2], means[SIDE][2];
 

@@ -54,7 +54,7 @@ static const char weights[] =
     "s.coat = 0.0; s.coatTint = vec3(1.0); } if (kind != 2) s.fuzz = 0.0; "
     "vec3 l = toward(0.1 + 0.85 * varied(p, 0.5701), 3.14159 + (0.5 - varied(p, 0.91)) * "
     "roughOf(p)); return vec4(surfaceLobe(surfaceLit(s, toward(cosineOf(p), 0.0)), l), 1.0); }\n";
-/* A third of the directions by what of the base's facets the eye sees (Heitz 2018), one by the
+/* A third of the directions by what of the base's microfacets the eye sees (Heitz 2018), one by the
  * coat's, one by the cosine. */
 static const char furnace[] = LOBE_MICROFACET LOBE_SEEN
     "float sent(Surface surface, vec3 v) {\n"

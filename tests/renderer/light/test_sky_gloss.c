@@ -242,7 +242,7 @@ static double brushed_lobe(const double widths[2], const double eye[3], const do
            (widths[0] * widths[1] * wide * wide * masked * 4 * eye[2]);
 }
 
-/* A ball whose facets are wider around its axis, z: a sum over uniform directions. */
+/* A ball whose microfacets are wider around its axis, z: a sum over uniform directions. */
 static double brushed_light(const ReferencePicture *picture, const double widths[2],
                             double ways[2][3])
 {

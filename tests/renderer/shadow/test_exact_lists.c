@@ -31,7 +31,7 @@ typedef struct {
 } Objects;
 
 /* Triangles of all sizes down to `least` of the greatest, with needles and points; as floats. */
-static Objects some_things(int count, double least)
+static Objects some_objects(int count, double least)
 {
     Objects made = {.corners = malloc((size_t)count * sizeof *made.corners + 1),
                     .all = {.count = count, .box = {{-2, -2, -2}, {2, 2, 2}}}};

@@ -27,7 +27,7 @@ enum { WIDTH = 120, HEIGHT = 90, PIXELS = WIDTH * HEIGHT, SIZE = 256 };
 #define VIEW  SEEN_BY("Perspective, position: [1.5, -7, 4], target: [0, 0, .5], angle: 42")
 /* Closed meshes, as hybrid shadows require; one is mirrored, one above the light of a lamp at
  * the origin's height. */
-#define THINGS                                                                                     \
+#define OBJECTS                                                                                    \
     "objects:\n- { object: Plane, material: m }\n"                                                 \
     "- { object: Sphere, radius: .8, material: m, transform: { translation: [-.6, -.4, 1.2] } }\n" \
     "- { object: Box, material: m, transform: { translation: [1, .5, .5], rotation: [0, 0, .3], "  \

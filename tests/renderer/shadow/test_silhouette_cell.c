@@ -93,7 +93,7 @@ static void cells(void **state)
     for (int i = 0; i < CELLS * CELLS; i++) {
         const Cell cell = cell_of(i);
         if (i % 16 == 0 || i % 16 == 15)
-            continue; /* nothing is parted */
+            continue; /* nothing is divided */
         assert_int_equal(pixels[4 * i] > .5f, is_covered(&cell));
         covered += is_covered(&cell);
         divided++;
