@@ -1,7 +1,6 @@
 /* Assembles a pass from version, body and entry point; draws or dispatches it. */
 #include "runtime/gpu_material/screen_pass.h"
 #include "gen/render_text.h"
-#include <assert.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -22,8 +21,10 @@ void screen_pass_add(ScreenPassText *text, const char *piece)
         count++;
     if (!piece || !*piece)
         return;
-    assert(count < SCREEN_PASS_PIECES);
-    text->body[count] = piece;
+    if (count < SCREEN_PASS_PIECES)
+        text->body[count] = piece;
+    else
+        text->full = true;
 }
 
 void screen_pass_add_all(ScreenPassText *text, const char *const *pieces, int count)
@@ -49,7 +50,9 @@ static const char *entry_of(const ScreenPassText *text)
 
 bool screen_pass_make(Store *store, const ScreenPassText *text, ScreenPass *made)
 {
-    const GlContext *gl = store_context(store);
+    GlContext *gl = store_context(store);
+    if (text->full)
+        return gl_fail(gl, "a pass has more than %d pieces of GLSL", SCREEN_PASS_PIECES);
     const int format = find_format(text->format), version = gl->major * 10 + gl->minor;
     char head[HEAD_CAPACITY];
     snprintf(head, sizeof head, "#version %s core\n#define ENTRY_FORMAT %s\n",

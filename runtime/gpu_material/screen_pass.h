@@ -17,8 +17,10 @@ typedef struct {
     /* The body is passOver(): its result is blended over the target. */
     bool over;
     int block; /* edge in pixels of the body's own compute entry point, or 0 */
+    bool full; /* a piece did not fit: screen_pass_make() fails */
 } ScreenPassText;
-/* Append a piece of GLSL to the body; NULL and "" are ignored. The capacity must suffice. */
+/* Append a piece of GLSL to the body; NULL and "" are ignored. A piece beyond the capacity sets
+ * `full`. */
 void screen_pass_add(ScreenPassText *text, const char *piece);
 void screen_pass_add_all(ScreenPassText *text, const char *const *pieces, int count);
 

@@ -1,6 +1,7 @@
 /* Volumes: a grid over the shape, a column of solid intervals over each of its places, and
  * triangles between these columns (scene_volume_cells.c), with corners where the surface crosses
- * their edges (scene_volume_crossings.c), and its normals there.
+ * their edges (scene_volume_crossings.c), and its normals there. Corners are on edges, as in
+ * marching cubes; dual contouring, with one corner per cell, would need the normals first.
  *
  * Inside is where f = max((z - h0) (h1 - z), (z - h2) (h3 - z)) > 0. A point is X = P + z A,
  * over the place P, where A is the vector of a height of 1 along the normal. Its normal is -grad

@@ -4,6 +4,7 @@
 #include "tests/test.h"
 #include "runtime/gpu_material/field.h"
 #include "runtime/gpu_material/reader.h"
+#include "runtime/gpu_material/screen_pass.h"
 #include "runtime/gl/screen.h"
 #include <math.h>
 #include <stdio.h>
@@ -392,6 +393,25 @@ static void a_store_takes_all_with_it(void **state)
     gl_close(f.gl);
 }
 
+/* A pass whose text has more pieces than fit is refused with a message, in every build type. */
+static void too_many_pieces_are_an_error(void **state)
+{
+    (void)state;
+    Fixture f = open_fixture(true);
+    ScreenPassText text = {.format = "RGBA32F"};
+    for (int i = 0; i < SCREEN_PASS_PIECES; i++)
+        screen_pass_add(&text, "\n");
+    assert_false(text.full);
+    screen_pass_add(&text, "");
+    assert_false(text.full);
+    screen_pass_add(&text, "\n");
+    assert_true(text.full);
+    ScreenPass pass;
+    assert_false(screen_pass_make(f.store, &text, &pass));
+    assert_string_equal(f.gl->error, "a pass has more than 62 pieces of GLSL");
+    close_fixture(&f);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -402,6 +422,7 @@ int main(void)
         cmocka_unit_test(blocks_hold_every_type),
         cmocka_unit_test(faults_leave_nothing),
         cmocka_unit_test(a_store_takes_all_with_it),
+        cmocka_unit_test(too_many_pieces_are_an_error),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
