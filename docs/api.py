@@ -13,7 +13,7 @@ import textwrap
 CODE = re.compile(r'(`[^`]*`|"[^"]*")')
 WORDS = re.compile(r"(?<![\w/.\"])(\*+[a-z]\w*|matc_[a-z]\w*(?:\(\))?|_[a-z]\w*\(\)|MATC_[A-Z]\w*"
                    r"|Matc[A-Z]\w*(?:\.\w+)?|libmatc\w*(?:\.so)?|NULL|GL_\w+|[a-z]+_[a-z_]\w*)(?!\w|\.h)")
-PAGE = re.compile(r"docs/reference/([\w-]+\.md)")
+PAGE = re.compile(r"(?:docs|build)/reference/([\w-]+\.md)")
 
 
 def marked(text):
@@ -172,8 +172,7 @@ def main():
     banner = text[:text.index("*/") + 2]
     body = text[text.index("*/") + 2:text.rindex("#ifdef __cplusplus")]
     body = re.sub(r"#ifdef __cplusplus\n.*?#endif\n", "", body, flags=re.S)
-    print(f"# {os.path.basename(path)}\n\n<!-- Made from {path} by docs/api.py.\n"
-          "     After a change: sh tests/docs/reference.sh build/gen/docs --update -->\n")
+    print(f"# {os.path.basename(path)}\n\n<!-- Made from {path} by docs/api.py -->\n")
     print(prose(comment_text(banner.split("\n"))), end="")
     codes, note = [], None
     for kind, value in parsed(body.replace("#ifndef MATC_H\n#define MATC_H\n", "")

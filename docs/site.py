@@ -2,12 +2,14 @@
 """Checks the pages of docs/, and builds a site of them by mkdocs. Run from the project's root.
 
     site.py check                     checks links, anchors and pictures of the Markdown
+    site.py check REFERENCE           checks links and anchors of REFERENCE, and what names its pages
     site.py prepare REFERENCE FOLDER  writes FOLDER/site-src and FOLDER/site.yml for mkdocs
     site.py verify FOLDER             checks the built pages in FOLDER/site
 
 docs/X.md becomes X.html. A linked file outside of docs/ becomes a page below source/: Markdown
 as it is, other text as a block of code, a folder as a list of its files. REFERENCE is the folder
-of the target `reference`, whose page becomes reference/maps.html.
+of the target `reference`: its pages are on the site, and link to others, as if they were in
+docs/reference. In other pages `build/reference/X.md` becomes a link to the page X.md.
 """
 import html.parser
 import os
@@ -18,6 +20,7 @@ import urllib.parse
 
 LINK = re.compile(r"(\]\()([^()\s]+)(\))")
 NAMED = re.compile(r"\[[\w./-]+\.md\]\(([^()\s]+\.md(?:#[^()\s]*)?)\)")  # [page.md](page.md)
+GENERATED = re.compile(r"`build/reference/([\w-]+\.md)`")
 FENCE = re.compile(r"^\s*(```+)")
 LANGUAGES = {".h": "c", ".c": "c", ".def": "c", ".glsl": "glsl", ".yaml": "yaml", ".json": "json",
              ".py": "python", ".sh": "sh", ".txt": "text", ".csv": "text", ".cmake": "cmake"}
@@ -67,6 +70,13 @@ def replace_links(text, change):
     return "\n".join(lines)
 
 
+def links_of(text):
+    """Returns the targets of a page's links."""
+    targets = []
+    replace_links(text, lambda target: targets.append(target) or target)
+    return targets
+
+
 def anchors(text):
     """Returns the anchors of a page's headings, as GitHub and docs/mkdocs.yml make them."""
     found, fence = set(), ""
@@ -92,14 +102,56 @@ def resolve(page, target):
     return (os.path.normpath(os.path.join(os.path.dirname(page), path)) if path else page), anchor
 
 
+def generated(reference):
+    """Returns the files of the folder REFERENCE by their places in docs/reference."""
+    found = {}
+    for folder, _, names in os.walk(reference):
+        for name in sorted(names):
+            if name.endswith((".md",) + PICTURES):
+                path = os.path.join(folder, name)
+                found["docs/reference/" + os.path.relpath(path, reference)] = path
+    return found
+
+
+def link_generated(page, text, made):
+    """Turns names of generated pages in the text of a page into links."""
+    def link(match):
+        path = "docs/reference/" + match[1]
+        if path not in made:
+            return match[0]
+        return f"[{title_of(read(made[path]))}]({os.path.relpath(path, os.path.dirname(page))})"
+    return GENERATED.sub(link, text)
+
+
+def check_generated(reference):
+    """Prints links of generated pages that lead nowhere, and names of pages that do not exist;
+    returns their number. Pictures may be absent: tests/docs/pictured.sh checks them."""
+    made, faults = generated(reference), []
+    pages = [page for page in made if page.endswith(".md")]
+    for page in pages:
+        for target in links_of(read(made[page])):
+            path, anchor = resolve(page, target)
+            if is_outside(target) or path.startswith("docs/reference/pictures/"):
+                continue
+            if path not in made and not os.path.exists(path):
+                faults.append(f"{made[page]}: {target} does not exist")
+            elif anchor and anchor not in anchors(read(made.get(path, path))):
+                faults.append(f"{made[page]}: {target} has no such heading")
+    for page in (name for name in files() if name.endswith(".md")):
+        faults += [f"{page}: the target `reference` makes no {name}"
+                   for name in GENERATED.findall(read(page)) if "docs/reference/" + name not in made]
+    if not pages:
+        faults.append(f"{reference}: no pages")
+    print("\n".join(faults), end="\n" if faults else "")
+    return len(faults)
+
+
 def check():
     """Prints links that lead nowhere and pictures that no page shows; returns their number."""
     faults, shown = [], set()
     all_files = files()
     for page in (name for name in all_files if name.endswith(".md")):
-        targets = []
-        replace_links(read(page), lambda target: targets.append(target) or target)
-        for target in targets:
+        for target in links_of(read(page)):
             if is_outside(target):
                 continue
             path, anchor = resolve(page, target)
@@ -120,12 +172,6 @@ def title_of(text):
     return match[1] if match else ""
 
 
-def title_at(page, target):
-    """Returns the title of the page that a link leads to."""
-    path = resolve(page, target)[0]
-    return title_of(read(path)) if os.path.isfile(path) else ""
-
-
 def page_of_file(path):
     """Returns the text of a page that shows a file or folder."""
     if os.path.isdir(path):
@@ -141,8 +187,9 @@ def page_of_file(path):
 class Site:
     """Copies pages, and everything that they link to, below a folder."""
 
-    def __init__(self, folder):
+    def __init__(self, folder, made):
         self.folder = folder
+        self.made = made  # generated files by their places in docs/reference
         self.places = {}  # a file or folder of the project: its place in the site
         self.waiting = []
         self.titles = {}
@@ -175,6 +222,12 @@ class Site:
         found = os.path.relpath(self.place(path), os.path.dirname(place))
         return found + ("#" + anchor if anchor else "")
 
+    def title_at(self, page, target):
+        """Returns the title of the page that a link leads to."""
+        path = resolve(page, target)[0]
+        path = self.made.get(path, path)
+        return title_of(read(path)) if os.path.isfile(path) else ""
+
     def copy(self):
         while self.waiting:
             path = self.waiting.pop(0)
@@ -182,17 +235,19 @@ class Site:
             full = os.path.join(self.folder, place)
             if not place.endswith(".md"):
                 os.makedirs(os.path.dirname(full), exist_ok=True)
-                shutil.copyfile(path, full)
+                shutil.copyfile(self.made.get(path, path), full)
                 continue
-            made = not path.endswith(".md")
-            text = page_of_file(path) if made else read(path)
+            is_source = not path.endswith(".md")
+            text = page_of_file(path) if is_source else read(self.made.get(path, path))
             page = os.path.join(path, "index.md") if os.path.isdir(path) else path
-            text = NAMED.sub(lambda m: f"[{title_at(page, m[1]) or m[1]}]({m[1]})", text)
-            self.put(place, replace_links(text, lambda t: self.link(page, t, place)), made)
+            if not is_source:
+                text = link_generated(page, text, self.made)
+            text = NAMED.sub(lambda m: f"[{self.title_at(page, m[1]) or m[1]}]({m[1]})", text)
+            self.put(place, replace_links(text, lambda t: self.link(page, t, place)), is_source)
 
-    def put(self, place, text, made=False):
+    def put(self, place, text, is_source):
         self.titles[place] = title_of(text)
-        head = "---\nsearch:\n  exclude: true\nhide: [toc]\n---\n" if made else ""
+        head = "---\nsearch:\n  exclude: true\nhide: [toc]\n---\n" if is_source else ""
         write(os.path.join(self.folder, place), head + text.replace("<details>", "<details markdown>"))
 
 
@@ -202,8 +257,8 @@ def quoted(text):
 
 def nav(site):
     """Returns the navigation: the pages of each shelf in the order of docs/README.md."""
-    order = []
-    replace_links(read("docs/README.md"), lambda t: order.append(t.partition("#")[0]) or t)
+    text = link_generated("docs/README.md", read("docs/README.md"), site.made)
+    order = [target.partition("#")[0] for target in links_of(text)]
     lines = ["nav:", "  - Home: index.md"]
     for shelf, title in SHELVES:
         lines.append(f"  - {title}:")
@@ -226,18 +281,13 @@ def nav(site):
 def prepare(reference, folder):
     source = os.path.join(folder, "site-src")
     shutil.rmtree(source, ignore_errors=True)
-    site = Site(source)
-    for name in files():
+    site = Site(source, generated(reference))
+    for name in files() + [name for name in site.made if name.endswith(".md")]:
         if name.startswith("docs/") and name.endswith((".md",) + PICTURES):
             site.place(name)
     for path in ("README.md", "CONTRIBUTING.md", "examples", "grammar", "compiler", "runtime",
                  "tests"):
         site.place(path)
-    if os.path.exists(os.path.join(reference, "reference.md")):
-        text = read(os.path.join(reference, "reference.md"))
-        site.put("reference/maps.md", text.replace("# Reference\n", "# Maps and materials\n", 1))
-        shutil.copytree(os.path.join(reference, "pictures"),
-                        os.path.join(source, "reference", "pictures"))
     site.copy()
     write(os.path.join(folder, "site.yml"),
           read("docs/mkdocs.yml") + f"docs_dir: {source}\nsite_dir: {folder}/site\n" + nav(site))
@@ -300,6 +350,8 @@ def verify(folder):
 def main():
     if sys.argv[1:] == ["check"]:
         return 1 if check() else 0
+    if len(sys.argv) == 3 and sys.argv[1] == "check":
+        return 1 if check_generated(sys.argv[2]) else 0
     if len(sys.argv) == 4 and sys.argv[1] == "prepare":
         prepare(sys.argv[2], os.path.abspath(sys.argv[3]))
         return 0

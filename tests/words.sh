@@ -1,6 +1,7 @@
 #!/bin/sh
 # Checks how the project speaks: how comments begin, banned words, the width of lines, and long
-# cells and sentences of pages. Prints each place that breaks a rule. Run from the project's root.
+# cells and sentences of pages. Prints each place that breaks a rule. With PAGES, checks these pages
+# alone: words.sh [PAGES]. Run from the project's root.
 #
 #     openers    no comment begins with Of, What, Who, Whoever, Whose, Likewise, The same, That which
 #     words      no word of tests/words.def is an identifier or stands in a comment or a page
@@ -11,11 +12,14 @@ set -eu
 export LC_ALL=C
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
+given=$*
 code() {
+    [ -z "$given" ] || return 0
     find compiler runtime grammar tests \( -path tests/golden -o -path tests/errors \) -prune -o \
         \( -name '*.[ch]' -o -name '*.def' -o -name '*.glsl' \) -print | sort
 }
 pages() {
+    [ -z "$given" ] || { printf '%s\n' $given && return 0; }
     find . \( -path ./build\* -o -path ./.git -o -path ./tests/golden -o -name node_modules \) -prune -o \
         -name '*.md' -print | sed 's,^\./,,' | sort
 }

@@ -1,6 +1,6 @@
-/* Host program that generates reference.md, functions.yaml and pages of docs/reference from
- * the tables and the examples. docs OUTPUT_FOLDER EXAMPLES_FOLDER. Pictures are referred to as
- * pictures/<stem of the example>.png; matview renders them. */
+/* Host program that generates the reference pages (except those of the headers: docs/api.py) and
+ * functions.yaml from the tables and the examples. docs OUTPUT_FOLDER EXAMPLES_FOLDER. Pictures
+ * are referred to as pictures/<stem of the example>.png; matview renders them. */
 #include "docs_formulas.h"
 #include "docs_pages.h"
 #include "compiler/describe/describe.h"
@@ -247,8 +247,8 @@ static void put_contents(Text *out)
 
 static void put_reference(Text *out)
 {
-    text_put(out, "# Reference\n\nMade from matc's tables and examples, as of version " MATC_VERSION
-                  ".\n");
+    text_put(out, "# Maps and materials\n\n"
+                  "Made from matc's tables and examples, as of version " MATC_VERSION ".\n");
     put_contents(out);
     for (int kind = 0; kind < KIND_COUNT; kind++) {
         const SectionRow *section = &section_table[section_of((Kind)kind)];

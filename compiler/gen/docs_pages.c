@@ -9,9 +9,7 @@
 
 enum { COLUMNS = 100 };
 
-#define MADE                                                                                       \
-    "<!-- Made from the tables by compiler/gen/docs_pages.c.\n"                                    \
-    "     After a change: sh tests/docs/reference.sh build/gen/docs --update -->\n\n"
+#define MADE "<!-- Made from the tables by compiler/gen/docs_pages.c -->\n\n"
 
 /* Writes text as a paragraph, whose first line already has `start` spaces; lines after it begin
  * with `indent` spaces. */

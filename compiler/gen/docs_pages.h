@@ -1,5 +1,5 @@
-/* Pages of docs/reference that are committed: scenes.md, diagnostics.md and layout-tables.md.
- * tests/docs/reference.sh compares them with what these functions write. */
+/* The reference pages scenes.md, diagnostics.md and layout-tables.md. They link to pages of
+ * docs/reference as if they were there, where the site puts them. */
 #ifndef MATC_DOCS_PAGES_H
 #define MATC_DOCS_PAGES_H
 #include "compiler/base/text.h"

@@ -37,7 +37,7 @@ extern "C" {
 typedef struct MatcScene MatcScene;
 typedef struct MatcRenderer MatcRenderer;
 
-/* Reads a document that is a scene; docs/reference/scenes.md lists its keys. Returns NULL if
+/* Reads a document that is a scene; build/reference/scenes.md lists its keys. Returns NULL if
  * the document has errors or no keys of a scene; *document then has the messages. The caller
  * owns the document and frees it after the scene. NULL `options` are the defaults. */
 MATC_API MatcScene *matc_scene_read(const char *name, const char *text, size_t size,
