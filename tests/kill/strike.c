@@ -178,8 +178,8 @@ int open(const char *path, int how, ...)
     mode_t mode = mode_of(how, rest);
     va_end(rest);
     if (!real)
-        find(&real, "ao");
-    return strike("ao", how_of(how)) ? -1 : real(path, how, mode);
+        find(&real, "open");
+    return strike("open", how_of(how)) ? -1 : real(path, how, mode);
 }
 
 int openat(int at, const char *path, int how, ...)

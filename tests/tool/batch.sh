@@ -187,7 +187,7 @@ check "alone it may" status 0 $fast -d "$work/dotted" "$work/dotted.yaml"
 
 mkdir "$work/own" && printf '{"material": "RGBA", "r": 1}\n' >"$work/own/rock.json" && cp "$work/own/rock.json" "$work/rock"
 check "an output that would replace its document" status 1 $fast -d "$work/own" --emit=glsl,reflect "$work/own/rock.json"
-check "is refused" says 'rock.json: an output would replace this file'
+check "is refused" says 'rock.json: an output would overwrite this input file'
 check "and the document still there" same "$work/rock" "$work/own/rock.json"
 check "from within the folder" sh -c "cd '$work/own' && ! '$(realpath "$matc")' --no-validate -d . --emit=reflect rock.json"
 check "it is there, too" only "$work/own" rock.json

@@ -55,7 +55,7 @@ static void check_after_kill(World *w, const Strike *at)
 }
 
 /* Calls that can change a folder. A kill between two of these leaves the state after the first. */
-static const char *const changes[] = {"ao",    "openat",    "write",  "writev",   "pwrite",
+static const char *const changes[] = {"open",  "openat",    "write",  "writev",   "pwrite",
                                       "mkdir", "mkdirat",   "linkat", "renameat", "unlinkat",
                                       "rmdir", "ftruncate", NULL};
 

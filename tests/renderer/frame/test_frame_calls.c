@@ -223,8 +223,8 @@ static void views_need_less(void **state)
         const char *view, *rests, *lights;
     } cases[] = {
         {"depth", "light depth, gbuffer, shadow light not run: nobody needs it", "auto"},
-        {"normal", "shown RGBA8 not allocated", "auto"},
-        {"light", "tone light shown not run: nobody needs it", "auto"},
+        {"normal", "final RGBA8 not allocated", "auto"},
+        {"light", "tone light final not run: nobody needs it", "auto"},
         {NULL, "plane depth, gbuffer depth, gbuffer not run: nothing to do", "auto"},
         {NULL, "light_cluster depth, gbuffer far not run: lights are few", "auto"},
         {"depth", "far two buffers not allocated", "auto"},
