@@ -277,7 +277,7 @@ static bool measure_rays(GlContext *gl, const BenchOptions *a)
            "reads, share that "
            "meets nothing, nanoseconds\n"
            "%-16s %8s %8s %8s\n",
-           a->voxels, "by", "reads", "ao", "ns");
+           a->voxels, "by", "reads", "open", "ns");
     for (size_t i = 0; fine && i < sizeof ways / sizeof *ways; i++) {
         VoxelPointsPass pass;
         double reads = 0, open = 0, least = INFINITY;

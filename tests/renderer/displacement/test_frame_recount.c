@@ -147,7 +147,7 @@ static void shadows_that_are_too_long(void **state)
     memcpy(scene->objects[0].world_from_local.m, flat, sizeof flat);
     assert_true(renderer_changed_objects(renderer, 0, 1) && renderer_frame(renderer) &&
                 renderer_read(renderer, moved));
-    assert_true(runs(renderer, "parts, drawn again"));
+    assert_true(runs(renderer, "tiles, drawn again"));
     assert_true(renderer_frame(renderer)); /* and once more */
     float *whole =
         frame_floats(gl, scene, &(RendererOptions){.compile = &compile, .view = "light"});
