@@ -19,7 +19,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
             MatcProgram *program =
                 matc_compile(document, i, MATC_FRAGMENT | MATC_IR | MATC_REFLECT, &options);
             const char *reported = matc_program_diagnostics(program, MATC_TEXT);
-            if (strstr(reported, "internal fault"))
+            if (strstr(reported, "internal error"))
                 abort();
             matc_program_free(program);
         }
