@@ -64,14 +64,14 @@ check "and runs" runs plain
 check "BUILD_SHARED_LIBS=OFF" project off -DBUILD_SHARED_LIBS=OFF
 check "gives the archive" uses_none off
 check "and runs" runs off
-check "GEOMETRY_COMPONENTS static" project static "-DKIND=GEOMETRY_COMPONENTS;static"
+check "COMPONENTS static" project static "-DKIND=COMPONENTS;static"
 check "gives the archive" uses_none static
 refuses() { # refuses PATTERN COMMAND...
     pattern=$1
     shift
     ! "$@" >"$work/said" 2>&1 && tr -s ' \n' ' ' <"$work/said" | grep -q -e "$pattern"
 }
-check "an unknown component is refused" refuses "no 'fast'" project fast "-DKIND=GEOMETRY_COMPONENTS;fast"
+check "an unknown component is refused" refuses "no 'fast'" project fast "-DKIND=COMPONENTS;fast"
 
 # CMake: wrong arguments of matc_add_materials
 mkdir "$work/wrong"

@@ -410,8 +410,8 @@ static void who_has_none_says_so(void **state)
         options.pass = cases[i][1];
         MatcDocument *document = matc_read("rock.yaml", text, strlen(text), &options);
         MatcProgram *program = matc_compile(document, 0, MATC_COMPUTE, &options);
-        assert_true(!matc_ok(program) &&
-                    strstr(matc_program_diagnostics(program, MATC_TEXT), "compute programs are not supported"));
+        assert_true(!matc_ok(program) && strstr(matc_program_diagnostics(program, MATC_TEXT),
+                                                "compute programs are not supported"));
         matc_program_free(program);
         matc_document_free(document);
     }

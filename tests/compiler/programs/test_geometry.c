@@ -214,8 +214,8 @@ static void others_have_none(void **state)
         MatcDocument *document = matc_read("rock.yaml", text, sizeof text - 1, &options);
         MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT | MATC_GEOMETRY, &options);
         assert_false(matc_ok(program));
-        assert_non_null(
-            strstr(matc_program_diagnostics(program, MATC_TEXT), "geometry programs are not supported"));
+        assert_non_null(strstr(matc_program_diagnostics(program, MATC_TEXT),
+                               "geometry programs are not supported"));
         matc_program_free(program);
         matc_document_free(document);
     }
