@@ -261,7 +261,7 @@ static void misspelt_names_are_reported(void **state)
         {"shade = u; shaed * 2", "did you mean 'shade'?"},
         {"shaed = grian; grain = 2; shaed", "did you mean 'grain'?"},
         {"shade = u; facng * shade", "did you mean 'facing'?"},
-        {"shade = u; quite", "called 'quite' here"}};
+        {"shade = u; quite", "unknown name 'quite'"}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         Fixture f;
         open_fixture(&f);

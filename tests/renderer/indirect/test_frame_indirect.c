@@ -385,7 +385,7 @@ static void faults_say_why(void **state)
     static const struct {
         const char *keys, *view, *fault;
     } cases[] = {{"", "ao",
-                  "view 'open' is not available: the scene has no `indirect:`, which "
+                  "view 'ao' is not available: the scene has no `indirect:`, which "
                   "--indirect=METHOD gives it"},
                  {"indirect: { method: none }", "bent",
                   "view 'bent' is not available: the scene has no `indirect:`, which "
