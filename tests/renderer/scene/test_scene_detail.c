@@ -339,7 +339,7 @@ static void many_triangles_are_reported(void **state)
     const char *wanted =
         "scene.yaml:5:61: warning: the scene has 5013516 triangles, 5013504 of them "
         "in this Sphere and "
-        "its copies, 136 in all: ";
+        "its copies, 136 in all; ";
     const char *reported = matc_diagnostics(document, MATC_TEXT);
     if (strncmp(reported, wanted, strlen(wanted)) != 0)
         fail_msg("%s", reported);
