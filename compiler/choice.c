@@ -177,7 +177,8 @@ bool matc_options_set(MatcOptions *options, const char *name, const char *value)
         return false;
     if (!strcmp(name, "warnings"))
         return set_warnings(options, value);
-    if (value && choice_values(name, &values)) /* the table's string outlives the caller's */
+    /* stores the table's string, which outlives the caller's */
+    if (value && choice_values(name, &values))
         value = values.name(values.user, index_of(value, name));
     return choice_set(options, name, value);
 }

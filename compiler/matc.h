@@ -79,8 +79,8 @@ typedef struct {
         /* "baked" (default; also "auto", which applies to batches), "uniform": the document's
          * constants are read from a uniform block */
         constants;
-    /* Per place (matc_place): the uniform block member that replaces the literal, -1 for none; or
-     * NULL. */
+    /* Per place (matc_place): the uniform block member that replaces the literal, -1 for none.
+     * NULL: all literals stay. */
     const int *members;
     int member_count;
     int optimize;  /* 0: none; 1, 2 (default): all passes of the optimizer */
@@ -98,7 +98,7 @@ typedef struct {
     MatcReadFile read_file;   /* reads images and includes; NULL: the file system */
     void *user;               /* passed to read_file */
     const MatcLayout *custom; /* overrides `layout`; must outlive everything compiled with it */
-    MatcLinked *linked;       /* may be NULL */
+    MatcLinked *linked;       /* programs that share their text; NULL: no sharing */
     /* Settings of warnings, separated by commas: "no-NAME,error=NAME,error". The last setting
      * that applies to a warning is effective. NULL (default): all warnings are reported.
      * matc_explain("warnings") */
@@ -440,8 +440,8 @@ typedef struct {
 typedef struct {
     int materials;
     int set_count;
-    MatcSlotRange slot[MATC_SLOTS]; /* one per slot, in the order of --list */
-    MatcSlotSet sets[MATC_SETS];    /* all different, sets with the most slots first */
+    MatcSlotRange slot[MATC_SLOTS]; /* one range per slot, in the order of --list */
+    MatcSlotSet sets[MATC_SETS];    /* all different sets of slots, the largest first */
     MatcSlotSet others;             /* union of sets that do not fit into `sets` */
 } MatcRanges;
 MATC_API void matc_ranges_init(MatcRanges *ranges);

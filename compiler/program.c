@@ -11,7 +11,7 @@
 /* Lists the live uniforms, in the document's order. */
 static void list_uniforms(MatcProgram *p, const Graph *graph)
 {
-    /* per uniform: 1 if used, 2 if used as an int */
+    /* bits per uniform: 1 if used, 2 if used as an int */
     uint8_t *used = ARENA_ARRAY(&p->arena, uint8_t, graph->uniform_count);
     p->uniforms = ARENA_ARRAY(&p->arena, MatcUniform, graph->uniform_count);
     for (Ref ref = 1; ref < p->ir->count; ref++)

@@ -35,7 +35,7 @@ typedef struct {
 typedef struct {
     const char *name, *doc;
     SceneSort sort;
-    int first, count; /* its range of scene_param_table */
+    int first, count; /* range of the kind's rows in scene_param_table */
 } SceneKindRow;
 typedef struct {
     SceneKind kind; /* the kind that has the parameter */

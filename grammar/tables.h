@@ -154,7 +154,7 @@ typedef struct {
     const char *function; /* GLSL name of its function, or stem of its temporaries */
     Lowering lowering;
     int cost;
-    int first, count; /* its range of param_table */
+    int first, count; /* range of the kind's rows in param_table */
     const char *doc;
     const char *answers; /* channels or slots that it provides, and the treatment of others */
     const char *formula; /* the computation, as lines of plain text */
@@ -203,7 +203,7 @@ typedef enum {
 #define WAVE(name, reference, build, doc) WAVE_##name,
 #include "waves.def"
     WAVE_COUNT,
-    WAVE_Chain = WAVE_COUNT /* has fields, and therefore no row */
+    WAVE_Chain = WAVE_COUNT /* a Chain has fields, and therefore no row */
 } WaveKind;
 typedef struct {
     const char *name;

@@ -6,7 +6,7 @@
 typedef struct {
     Kind from;
     int to;              /* parameter of Principled, in param_table */
-    const char *formula; /* over the material's parameters; NULL: a NormalMap */
+    const char *formula; /* formula over the material's parameters; NULL: a NormalMap */
     int map, scale;      /* map and scale of a NormalMap: parameters of the material */
     const char *where;   /* applies only if this formula may be nonzero; NULL: always */
 } TranslationRow;

@@ -18,7 +18,7 @@ int names_add(Arena *arena, Names *names, const char *name);
 /* Generator of unique names. */
 typedef struct {
     Names given;
-    int *last; /* per name: the last number that was appended to it */
+    int *last; /* per name: the last number that was appended to the name */
     size_t last_count, last_capacity;
 } FreshNames;
 

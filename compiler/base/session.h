@@ -44,7 +44,8 @@ enum {
     LIMIT_BRANCHES = 128,
     /* Nodes that are reexamined for the arms of a select: range.c. */
     LIMIT_GUARD_STEPS = 512,
-    LIMIT_GUARD_DEPTH = 64,   /* their nesting depth; each level takes 512 bytes of stack */
+    /* nesting depth of reexamined nodes; each level takes 512 bytes of stack */
+    LIMIT_GUARD_DEPTH = 64,
     LIMIT_LAYOUT_CASES = 32,  /* cases of a layout */
     LIMIT_LAYOUT_FIELDS = 64, /* fields of a case */
     /* Steps of the oracle for the values of one point: oracle_work.c. */

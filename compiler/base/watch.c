@@ -44,7 +44,7 @@ typedef struct {
     char *path;
     const char *name; /* the last part of the path */
     int notices;      /* watch descriptor of the file's folder; -1: none */
-    Look look;        /* when last reported or set */
+    Look look;        /* state of the file when last reported or set */
     bool dirty;       /* changed since then */
     bool changed;     /* reported by the last watch_wait */
 } File;

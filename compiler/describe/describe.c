@@ -207,7 +207,7 @@ void describe_message(Text *out, const DiagRow *diag)
         else {
             if (!is_hint(format, at - 1))
                 text_put(out, "...");
-            at += strspn(at, "l"); /* %ld */
+            at += strspn(at, "l"); /* skips the length modifier of %ld */
         }
     }
 }

@@ -34,7 +34,7 @@ typedef struct VertexMove {
     /* The function returns a vec3 along dP/du, dP/dv and the normal; otherwise a float along the
      * normal. */
     bool along_tangents;
-    /* It returns a vec4: two ranges along the normal where a volume is solid. */
+    /* The displacement returns a vec4: two ranges along the normal where the volume is solid. */
     bool volume;
     bool turns;                      /* matc_displacedNormal() exists */
     bool normal_inputs[INPUT_COUNT]; /* inputs that main() sets before calling it */

@@ -274,7 +274,7 @@ static void put_operation(Scope *e, Text *out, Ref ref, int own)
         break;
     case SHAPE_prefix:
         text_put(out, op_table[node->op].glsl);
-        /* never `--x`, which would be a decrement */
+        /* writes `-(-x)`, never `--x`, which would be a decrement */
         emit_expression(e, out, ir_arg(e->ir, ref, 0), PRECEDENCE_postfix);
         break;
     case SHAPE_call:

@@ -29,10 +29,10 @@ typedef struct {
     Arena *scratch;
     Schedule s;
     const IrFunction *function; /* the open function; NULL: main */
-    const char **names;         /* per Ref: the name of its temporary, or NULL */
+    const char **names;         /* per Ref: the name of its temporary; NULL: none */
     /* Per Ref: number of operations in its expression, if inlined. */
     uint16_t *size;
-    uint8_t *done;    /* per Ref: its statement is written, or not needed */
+    uint8_t *done;    /* per Ref: the node's statement is written or not needed */
     int number;       /* number of the scope, from 1 */
     Naming *naming;   /* indexed by origin */
     FreshNames fresh; /* temporaries of the scope */

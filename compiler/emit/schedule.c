@@ -20,7 +20,7 @@
 
 enum { BRANCH_COST = 40 }; /* min cost of an arm, in scalar operations, for which a branch pays */
 
-/* All branches on one condition. */
+/* Branches that depend on the same condition. */
 typedef struct Condition {
     uint32_t branches;
     uint32_t stage; /* min stage of a region that can contain all of them */

@@ -332,7 +332,7 @@ static void describe_attributes(Text *out, const Job *job, const Interface *inte
             text_put(out, ", ");
             emit_describe_part(out, attribute_declaration(interface->ir, i), "location",
                                in_out ? ATTRIBUTE_FIRST_LOCATION + i : -1);
-            out->at[--out->size] = 0; /* reopens the object */
+            out->at[--out->size] = 0; /* removes the closing brace to append members */
             attribute_describe(out, interface->ir->graph->attributes[i]);
         }
 }

@@ -16,7 +16,7 @@ typedef enum {
     FORMULA_value,      /* a built-in quantity; row: a Quantity */
     FORMULA_input,      /* row: index of the input */
     FORMULA_attribute,  /* row: index of the document's attribute */
-    FORMULA_name,       /* before the check: a value or an input */
+    FORMULA_name,       /* name of a value or an input, until the check resolves it */
     FORMULA_term,       /* row: a Term, applied to its arguments */
     FORMULA_power,      /* power with a literal integer exponent: number */
     FORMULA_components, /* swizzle; row: two bits per component, width: their number */

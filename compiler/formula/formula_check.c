@@ -11,7 +11,7 @@ typedef struct {
     Session *session;
     Formula *f;
     const Names *locals;
-    bool *varies; /* per step: depends on the point or an input */
+    bool *varies; /* per step: the result depends on the point or an input */
     bool failed;
 } Check;
 

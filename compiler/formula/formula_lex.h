@@ -17,7 +17,8 @@ typedef struct {
     TokenKind kind;
     uint32_t start, end; /* byte range */
     uint16_t mark;       /* formula_mark of a symbol; 0: no symbol */
-    int symbol;          /* its first row of symbol_table; symbol_count: none */
+    /* first row of the token's symbol in symbol_table; symbol_count: not a symbol */
+    int symbol;
     double number;
 } Token;
 

@@ -84,8 +84,9 @@ struct Node {
     int filters;       /* max number of filters on a path below, including this node; limited */
     const char *name;  /* author's name: its key under `defs:`, or its anchor; NULL: unnamed */
     const char *owner; /* nearest enclosing name, or the slot; NULL: neither */
-    bool steps;        /* it or a map below is discontinuous (has a STEP row) or is an image */
-    int8_t width;      /* components of its value when a formula reads it: 1 to 4; 0: a material */
+    /* this map or a map below is discontinuous (has a STEP row) or is an image */
+    bool steps;
+    int8_t width; /* components of its value when a formula reads it: 1 to 4; 0: a material */
     /* the author's kind, which differs for a material translated from another model */
     Kind written;
 };
@@ -155,7 +156,7 @@ typedef struct {
     /* Per node index: 1 << Model of the material's surface model, MODEL_LOBE of its possible
      * lobes, MODEL_EMITS and MODEL_RELIEF. */
     unsigned *models;
-    Uniform *const *uniforms; /* their defaults may change: matc_set_default */
+    Uniform *const *uniforms; /* matc_set_default may change the uniforms' defaults */
     int uniform_count;
     Names uniform_names;              /* names in the order of `uniforms` */
     MeshAttribute *const *attributes; /* max LIMIT_ATTRIBUTES entries */

@@ -47,7 +47,7 @@ typedef struct {
     int node_count;
     /* Per parameter: its default map; NULL until a node needs it. */
     const Node *defaults[PARAM_COUNT];
-    const Node **nodes; /* all nodes except plain numbers */
+    const Node **nodes; /* all nodes of the document except plain numbers */
     size_t named_count, named_capacity;
     Expansion **expansions;
     size_t expansion_count, expansion_capacity;

@@ -161,10 +161,10 @@ typedef enum {
 
 typedef struct {
     Session *session;
-    unsigned *asked;        /* by node's index: Asked */
+    unsigned *asked;        /* per node index: a set of Asked bits */
     const Node **reader;    /* per node index: one of the nodes that query it */
     const unsigned *models; /* the graph's models */
-    bool saying;            /* all queries are known */
+    bool saying;            /* all queries are known, so findings may be reported */
 } LintFindings;
 
 /* Returns the components of a number, or of a param's default. */

@@ -146,7 +146,8 @@ static void read_rows(JpegReader *d)
                  height = (size_t)d->file->image->height;
     JSAMPROW first = arena_alloc(&d->file->memory, stride);
     d->jpeg.out_color_space = JCS_EXT_RGBA; /* alpha is 255 */
-    d->jpeg.dct_method = JDCT_ISLOW;        /* the same bytes on every machine */
+    /* the integer DCT gives the same pixels on every machine */
+    d->jpeg.dct_method = JDCT_ISLOW;
     jpeg_start_decompress(&d->jpeg);
     jpeg_read_scanlines(&d->jpeg, &first, 1);
     const char *why = image_file_allocate(d->file);

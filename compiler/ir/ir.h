@@ -41,7 +41,7 @@ typedef enum {
     PAYLOAD_texture,    /* index of a texture of the IR */
     PAYLOAD_components, /* a swizzle, two bits per component */
     PAYLOAD_library,    /* a library Function */
-    PAYLOAD_function    /* index of a function of the program: ir_applies */
+    PAYLOAD_function    /* index of a program's function, which ir_applies() recognizes */
 } Payload;
 extern const uint8_t op_payload[]; /* the Payload kind of each operation */
 
@@ -66,7 +66,7 @@ enum {
     NODE_head = 1,
     /* opt_simplify found that no local rule changes the node while its users are unknown. */
     NODE_simple = 2,
-    NODE_final = 4,  /* no rule changes it, whatever its users */
+    NODE_final = 4,  /* no rule changes the node, whatever its users */
     NODE_decided = 8 /* opt_range found that no interval decides it */
 };
 

@@ -18,7 +18,7 @@ typedef struct {
     size_t number_count, number_capacity;
     NumberPlace *places;
     size_t place_count, place_capacity;
-    uint32_t *number; /* by Ref, from 1 in post-order; 0: not visited */
+    uint32_t *number; /* per Ref: its number in post-order, from 1; 0: not visited */
     Ref *stack;
     size_t depth, stack_capacity;
     uint32_t met;

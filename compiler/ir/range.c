@@ -41,7 +41,7 @@ struct Seen *range_seen_new(Arena *arena)
     Seen *seen = arena_alloc(arena, sizeof *seen);
     seen->sets = 0;
     for (int i = 0; i < SEEN_SLOTS; i++)
-        seen->slots[i].set = 0; /* no set: the slot is empty */
+        seen->slots[i].set = 0; /* the slot becomes empty: its set is 0 */
     return seen;
 }
 
@@ -132,7 +132,7 @@ static void find_arm(Ranges *r, const Ir *ir, Ref arm, Guard side, Interval foun
     const Interval none = {INFINITY, -INFINITY};
     const int components = components_of(ir, arm);
     side.within = both(range_of(r, ir, side.ref, 0), side.within);
-    if (is_empty(side.within)) { /* the arm is never taken */
+    if (is_empty(side.within)) { /* the select never takes this arm */
         for (int component = 0; component < components; component++)
             found[component] = none;
         return;

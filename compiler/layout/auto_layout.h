@@ -18,7 +18,7 @@ typedef enum {
     FATE_field,    /* stored in a field */
     FATE_fixed,    /* constant, equal in all materials */
     FATE_absent,   /* absent in all materials */
-    FATE_unneeded, /* without effect in any material */
+    FATE_unneeded, /* the slot has no effect in any material */
     FATE_taken,    /* contained in another slot */
 } Fate;
 

@@ -20,7 +20,7 @@ static double class_error(const Plan *plan, const FieldRow *field)
     const double step = field_error(field);
     switch (class_table[plan->kind].unit) {
     case CLASS_UNIT_display:
-        /* steps of the square root are uniform: half of one */
+        /* a square root's codes have uniform steps: half a step */
         if (field->encoding == ENCODING_root)
             return sqrt(field_high(field)) * .5 / (ldexp(1, field->bits) - 1);
         return displayed(fmax(plan->low, 0) + step) - displayed(plan->low);

@@ -8,7 +8,7 @@
 typedef struct {
     Session *session;
     LayoutRow *row;
-    Tree *const **trees; /* per case: the trees of its fields */
+    Tree *const **trees; /* per case: the YAML trees of the fields */
     bool fine;
 } Reader;
 

@@ -6,9 +6,9 @@
 #include <string.h>
 
 enum {
-    PERIOD = 65536,     /* per axis, for every noise */
+    PERIOD = 65536,     /* period of every noise along each axis, in cells */
     OUTPUTS = 3,        /* components of vector noise */
-    NUMBERS = 4,        /* per corner and output: value, gradient */
+    NUMBERS = 4,        /* numbers per corner and output: value and gradient */
     RANDOM_COUNT = 512, /* size of GroIMP's table */
     RANDOM_STEP = 8,    /* table offset between outputs */
     PRIME = 761,        /* modulus of the float hash */

@@ -24,7 +24,7 @@ REFERENCE(leopardFiltered)
     result[0] = leopard_mean(args, &sum);
 }
 
-/* By x: (2 sum mean' - 2 mean mean' + sin(2 x) sinc(edge)) / 9. */
+/* Derivative by x: (2 sum mean' - 2 mean mean' + sin(2 x) sinc(edge)) / 9. */
 REFERENCE(leopardFilteredGradient)
 {
     double sum;

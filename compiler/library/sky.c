@@ -21,7 +21,7 @@ enum {
     SUN, /* rows of the coefficients */
     SKY_ROWS,
     SLOPES = 32,   /* steps of the integral in cos(angle to the zenith) */
-    AZIMUTHS = 32, /* over half the circle; the other half is symmetric */
+    AZIMUTHS = 32, /* samples of azimuth over half the circle; the other half is symmetric */
     FIRST_NM = 380,
     LAST_NM = 750,
     STEP_NM = 10 /* samples of the sun's spectrum */
@@ -48,7 +48,7 @@ static const double solar[] = {
     278.2, 271.0, 272.3, 263.6, 255.0, 250.6, 253.1, 253.5, 251.3, 246.3, 241.7, 236.8, 232.1,
     228.2, 223.4, 219.7, 215.3, 211.0, 207.3, 202.4, 198.7, 194.3, 190.7, 186.3, 182.6,
 };
-#define SOLAR_UNIT 100. /* to W/(m2 nm sr) */
+#define SOLAR_UNIT 100. /* factor that converts the table's radiance to W/(m2 nm sr) */
 /* Absorption coefficient of ozone, 1/cm. */
 static const double ozone[][2] = {
     {355, 0},    {445, .003}, {450, .003}, {455, .004}, {460, .006}, {465, .008}, {470, .009},

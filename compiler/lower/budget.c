@@ -114,8 +114,9 @@ static void swap(Trial **a, Trial **b)
 typedef struct {
     int fit, beyond;
     double cost_fit, cost_beyond;
-    const double *upto; /* by number of means n: approximate additional cost of the first n */
-    double surely;      /* factor on the remaining budget */
+    /* indexed by number of means n: approximate additional cost of the first n */
+    const double *upto;
+    double surely; /* factor on the remaining budget */
 } Bracket;
 
 /* Returns the number of means to try next: interpolates by their prices, scaled to the measured
@@ -194,7 +195,7 @@ static bool surely_fits(const LowerRequest *what, const Trial *all, Guess guess)
 {
     if (!all->ir || !all->seen.count || fits(all, most_beside(what, 0)))
         return all->ir != NULL;
-    /* then the program without means has slopes, too */
+    /* the program without means computes slopes, too */
     const bool own_slopes = all->seen.mingled || lower_displaced(what->material);
     if (guess != GUESS_fit || own_slopes)
         return false;
@@ -266,7 +267,7 @@ static Trial *affordable(const LowerRequest *what, Trial trials[2])
         return all;
     }
     drop(all);
-    /* no map to average, or a single one whose mean costs too much */
+    /* there is no map to average, or a single map whose mean costs too much */
     const bool known = plain->seen.count <= (size_t)first;
     if (!plain->ir || known)
         return plain;

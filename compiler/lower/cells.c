@@ -79,7 +79,7 @@ typedef struct {
 static Fading fading(Lower *l, const Cells *cells, Ref edge)
 {
     Ir *ir = l->ir;
-    const double widest = 64; /* in cells: the value has faded completely long before */
+    const double widest = 64; /* max edge in cells; the value has faded completely long before */
     const Statistics *s =
         &statistics[cells->dimensions - CELLS_FEWEST_DIMENSIONS][cells->distance][cells->measure];
     Ref one = build_float(ir, 1), width = build_min(ir, edge, build_float(ir, widest)),

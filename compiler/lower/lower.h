@@ -15,8 +15,7 @@ typedef struct {
     bool shape;
     Ref eye_n;  /* the root normal in eye space; 0: apply eyeFromWorld */
     int number; /* memo key: depth of nested filters and Triplanar's Place */
-    /* Also part of the memo key: set within a displacement whose slopes by u and v are wanted;
-     * bump.c. */
+    /* Set within a displacement whose slopes by u and v are wanted; part of the memo key. bump.c */
     bool relief;
 } Env;
 
@@ -46,7 +45,7 @@ typedef struct Split {
 typedef struct {
     uint64_t key; /* combines node, group and environment; 0: the entry is empty */
     MapValue answer;
-    bool averaged; /* this map, or one below, was averaged over the pixel */
+    bool averaged; /* this map, or a map below, was averaged over the pixel */
 } Memo;
 
 /* The cached last result of lower_slot() for a slot. */
@@ -66,7 +65,7 @@ typedef struct {
     bool known;
     int count;             /* number of transforms */
     const Node *transform; /* the transform, if count is 1 */
-    Slopes column[2];      /* if count > 1: images of (1, 0) and (0, 1) */
+    Slopes column[2];      /* valid if count > 1: images of (1, 0) and (0, 1) */
 } UvTransformChain;
 
 /* An environment's number is PLACE_STRIDE * place + filter depth; the stride is above
@@ -113,12 +112,12 @@ typedef struct {
     bool averaged;       /* the current map, or one below, was averaged */
     /* Current nesting of alternatives that are likely to become a branch. */
     int arms;
-    bool relief;                    /* within a displacement of --derivatives=auto; bump.c */
+    bool relief;                    /* set within a displacement of --derivatives=auto; bump.c */
     Manner outside;                 /* options outside of the displacement */
     bool cheap;                     /* -O1 and up: use cheaper forms instead of the plainest */
     Ref (*slopes)[DIRECTION_COUNT]; /* derivatives found so far, by Ref; slope.c */
     size_t slope_capacity;
-    struct LateSum **sums; /* by Ref: values whose derivatives are given as sums; slope_sum.c */
+    struct LateSum **sums; /* per Ref: the derivatives of a value, given as sums; slope_sum.c */
     size_t sum_capacity;
     Ref *to_differ; /* stack of values to differentiate; slope.c */
     size_t to_differ_count, to_differ_capacity;
@@ -128,10 +127,10 @@ typedef struct {
     UvTransformChain *turns; /* UV transform chains by node; lower_normal.c */
     size_t turn_capacity;
     SlotValue asked[SLOT_COUNT];
-    struct SlotMemo *slots; /* by node and slot: slots of mixed materials; lower_mix.c */
+    struct SlotMemo *slots; /* per node and slot: values of mixed materials; lower_mix.c */
     Affine affine;          /* state of affine.c: affine forms of values */
     unsigned layout_slots;  /* the slots that the job's layout stores: layout_slots() */
-    uint8_t *uniform_use;   /* by uniform: 1 used as a count, 2 as a number */
+    uint8_t *uniform_use;   /* per uniform: 1 used as a count, 2 as a number */
     /* Blends whose coordinates are checked at the end, last first; lower_lint.c. */
     const struct Crossing *crossing;
     /* displacements whose slopes are checked, last first */

@@ -164,7 +164,7 @@ MapValue lower_Clamp(Lower *l, const Node *node, Group group, const Env *env)
 static Ref raised(Lower *l, Ref x, const Ref *exponent)
 {
     Ir *ir = l->ir;
-    if (!ir_is(ir, *exponent, OP_const)) { /* for a constant, lower_term() does that */
+    if (!ir_is(ir, *exponent, OP_const)) { /* lower_term() bounds a constant exponent */
         Ref one = build_float(ir, 1),
             border = build_pow(ir, build_float(ir, 1e37),
                                build_div(ir, one, build_max(ir, *exponent, one)));

@@ -56,7 +56,8 @@ typedef struct {
     const Ref *node;
     const int *function;
     const uint32_t *texture;
-    /* before compaction; IR that was parsed from text may refer to missing textures */
+    /* number of textures before compaction; IR that was parsed from text may refer to missing
+     * textures */
     size_t texture_count;
 } Numbers;
 

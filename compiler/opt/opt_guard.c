@@ -22,7 +22,7 @@ enum {
 
 typedef struct {
     const uint32_t *uses; /* per Ref: number of uses */
-    Ref *first;           /* per condition: its guards, linked by `next` */
+    Ref *first;           /* per condition: the first of its guards, which `next` links */
     Ref *next;            /* per guard: the next guard of its condition */
     /* Per Ref: number of uses by exclusive nodes; zeroed between conditions. */
     uint32_t *own;

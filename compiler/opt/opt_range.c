@@ -101,7 +101,7 @@ static Ref decide(Ir *ir, Ref ref, const void *user)
 {
     const Known *known = user;
     Site site = {ir, known->ranges, 0};
-    bool holds; /* all components satisfy the condition */
+    bool holds; /* every component satisfies the condition */
     int components;
     const IrNode node = *ir_at(ir, ref);
     Ref a = node.count > 0 ? ir_arg(ir, ref, 0) : 0, b = node.count > 1 ? ir_arg(ir, ref, 1) : 0;

@@ -22,7 +22,7 @@ typedef struct {
 } MemoRow;
 typedef struct {
     NodeNumbers nodes;
-    MemoRow *rows; /* by node number */
+    MemoRow *rows; /* indexed by node number */
     size_t capacity;
 } Memo;
 
@@ -46,14 +46,14 @@ struct Oracle {
     const Graph *graph;
     ReferenceContext context;
     NodeNumbers baked;
-    float **reliefs; /* by node number: a Carpenter's texels; NULL until first read */
+    float **reliefs; /* indexed by node number: a Carpenter's texels; NULL until first read */
     size_t relief_capacity;
     NodeNumbers turned;
-    SlopeTurn *turns; /* by node number */
+    SlopeTurn *turns; /* indexed by node number */
     size_t turn_capacity;
-    Memo *memos; /* by nesting depth of environments */
+    Memo *memos; /* indexed by nesting depth of environments */
     size_t memo_count, memo_capacity;
-    OracleSky sky;        /* that of the last SunSkyLight */
+    OracleSky sky;        /* coefficients for the last SunSkyLight */
     Choice derivatives;   /* method by which BumpMap computes slopes */
     double behind, ahead; /* the span of difference quotients, in steps; oracle_slope_span() */
     /* check for smooth heights enabled; the check failed */
@@ -76,7 +76,7 @@ typedef struct Environment {
     /* the point to which this one is adjacent, for any --derivatives; NULL: not adjacent */
     struct Environment *origin;
     struct Environment *outer; /* environment of the Triplanar whose map is evaluated; NULL: none */
-    const Node *triplanar;     /* that Triplanar, and its projection axis */
+    const Node *triplanar;     /* the Triplanar whose map is evaluated along `axis` */
     int axis;
 } Environment;
 Environment environment_open(Oracle *oracle, const Surface *surface, int depth);
@@ -126,11 +126,12 @@ void oracle_displace(Environment *environment, const Node *displaced, Surface *s
 
 /* Costs of evaluation in steps of some 5 ns. oracle_work.c */
 enum {
-    MAP_VALUE_WORK = 100, /* per map value: delegation and memory */
-    CALL_WORK = 3,        /* per operation of a reference, as grammar/ counts those of its GLSL */
-    ITEM_WORK = 3,        /* per skipped item of a Blend */
-    WAVE_WORK = 10,       /* per wave, alone or in a chain */
-    TEXEL_WORK = 12       /* per texel that a Carpenter bakes */
+    MAP_VALUE_WORK = 100, /* work per map value: delegation and memory */
+    /* work per operation of a reference; grammar/ counts the operations of its GLSL */
+    CALL_WORK = 3,
+    ITEM_WORK = 3,  /* work per skipped item of a Blend */
+    WAVE_WORK = 10, /* work per wave, alone or in a chain */
+    TEXEL_WORK = 12 /* work per texel that a Carpenter bakes */
 };
 /* Adds to the cost of evaluating the point. */
 void oracle_spend(const Environment *environment, double steps);

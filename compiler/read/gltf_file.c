@@ -23,7 +23,7 @@ struct GltfFile {
     const char *why;  /* the reason */
     const char *binary;
     size_t binary_size;
-    Buffer *buffers; /* per index; NULL: no buffer has been requested */
+    Buffer *buffers; /* indexed by buffer; NULL: no buffer has been requested */
 };
 
 static bool ends_in(const char *name, size_t size, const char *ending)

@@ -24,7 +24,7 @@ typedef struct {
     size_t beside_count, beside_capacity;
     Names beside_paths;
     Names source_paths; /* paths of the session's first `indexed` sources */
-    uint32_t *sources;  /* per index in source_paths: the first source with that path */
+    uint32_t *sources;  /* indexed as source_paths: the first source with the same path */
     size_t source_count, source_capacity, indexed;
 } GltfFiles;
 /* True if a path refers to an image inside a glTF file. */

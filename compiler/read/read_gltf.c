@@ -30,7 +30,7 @@ typedef struct {
     const Tree *root;
     Names names; /* names of the materials so far */
     Names stems; /* names that several materials of the file share */
-    int *last;   /* per stem: the number of the last duplicate */
+    int *last;   /* per name stem: the number appended to the last duplicate */
     size_t last_count, last_capacity;
     /* Per material: a primitive with this material has vertex colors. The last entry is for
      * primitives without a material. */

@@ -109,7 +109,7 @@ static bool resolve_node_param(Resolver *r, const ParamRow *row, Tree *tree, Val
 
 static bool resolve_holder(Resolver *r, const ParamRow *row, Tree *tree, Value *value)
 {
-    if (row->type == PARAM_Maps) /* resolved together with the formula that reads them */
+    if (row->type == PARAM_Maps) /* maps are resolved together with the formula that reads them */
         return true;
     if (row->type == PARAM_List)
         return resolve_map_list(r, row->name, tree, value);

@@ -318,7 +318,7 @@ static Tree *expand(Copy *c)
 Tree *resolve_definition(Resolver *r, const Member *definition, const Tree *use)
 {
     Copy c = {.r = r, .definition = definition};
-    if (definition->value->failed) /* its parameters have a fault that was reported */
+    if (definition->value->failed) /* the definition's parameters have a fault that was reported */
         return NULL;
     if (!read_parameters(&c)) {
         definition->value->failed = true;

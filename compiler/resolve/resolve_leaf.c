@@ -34,7 +34,8 @@ bool resolve_in_range(Resolver *r, const ParamRow *row, const Tree *tree, const 
 static bool resolve_whole(Resolver *r, const ParamRow *row, const Tree *tree, const Value *value)
 {
     const double *number = value->kind == VALUE_uniform ? value->uniform->initial : value->number;
-    if (*number == trunc(*number) && fabs(*number) < 2147483648.0) /* range of a GLSL int */
+    /* the number is in the range of a GLSL int */
+    if (*number == trunc(*number) && fabs(*number) < 2147483648.0)
         return true;
     diag_add(r->session, tree->span, DIAG_not_whole, row->name, tree_describe(r->session, tree));
     return false;

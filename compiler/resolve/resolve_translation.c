@@ -116,7 +116,7 @@ static bool known_input(const Item *item, double components[4])
     const Node *node = item->input;
     if (node->kind != KIND_Constant || node->params->kind != VALUE_number)
         return false;
-    if (item->width == 1) /* the red component */
+    if (item->width == 1) /* selects the red component */
         components[0] = components[1] = components[2] = components[3] = node->params->number[0];
     else
         value_number(node->params, TYPE_vec4, components);

@@ -69,7 +69,7 @@ void batch_make_layout(Batch *b)
         b->options.custom = b->layout;
         if (b->line->stats)
             batch_report(b, NULL, matc_layout_report(b->layout));
-    } else { /* no materials, as the documents' messages say */
+    } else { /* the documents have no materials, as their messages say */
         b->options.layout = NULL;
     }
 }

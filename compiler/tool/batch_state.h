@@ -19,7 +19,7 @@ typedef struct {
     char *name;
     const char *opacity; /* opacity class, as matc_opacity returns */
     Bytes reported;      /* diagnostics, printed after those of the document */
-    Unit *units;         /* one unit per request */
+    Unit *units;         /* array of one unit per request */
 } BatchMaterial;
 
 typedef struct {
@@ -50,8 +50,9 @@ typedef struct {
 typedef struct {
     Unit *first, *last; /* linked list of its materials; the first one names the program */
     int unit_count;
-    int *members; /* per place: the member that replaces it; NULL: all numbers are literals */
-    char *name;   /* name of its files without suffix */
+    /* per place: the member that replaces the number; NULL: all numbers are literals */
+    int *members;
+    char *name; /* name of its files without suffix */
 } BatchProgram;
 
 /* A program to be written: of a unit, with the numbers at `members` from a uniform block (NULL:
@@ -80,7 +81,7 @@ typedef struct {
     int program_count;
     MatcRanges ranges;  /* joined ranges of all documents, with --layout=auto */
     MatcLayout *layout; /* automatic layout, or NULL */
-    Outputs folders;    /* all output folders */
+    Outputs folders;    /* all output folders of the run */
     /* Stagings of the folder and of --textures, possibly the same; NULL: none. */
     Staging *staging, *textures;
     MatcLinked *linked;    /* shared by all options */
@@ -90,7 +91,7 @@ typedef struct {
     StringSet within;
     KeySet seen;     /* programs that some thread already writes */
     StringSet files; /* files on which documents depend */
-    Key *file_keys;  /* their content hashes */
+    Key *file_keys;  /* content hashes of the files */
     /* Number of documents whose diagnostics are complete; and number of leading documents whose
      * diagnostics were printed. */
     int closed, reported;

@@ -218,7 +218,7 @@ static bool write_entry(int above, const char *name, const Header *header, const
     ssize_t put = writev(file, parts, 2);
     bool whole = put == (ssize_t)(sizeof *header + header->size);
     if (put >= 0 && !whole)
-        errno = ENOSPC; /* not everything was written */
+        errno = ENOSPC; /* the disk is full: only part of the entry was written */
     int error = errno;
     bool closed = !close(file);
     errno = whole ? errno : error;

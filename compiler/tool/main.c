@@ -309,7 +309,7 @@ int main(int argc, char **argv)
     else if ((status = check_usage(&line)) == EXIT_OK)
         status = line.watch ? run_watching(&line, argc, argv) : run(&line, &result);
     options_free(&line);
-    /* otherwise the failure may have been reported */
+    /* another status means that the failure may have been reported */
     if ((fflush(stdout) || ferror(stdout)) && status == EXIT_OK)
         status = main_complain(&line, "standard output", text_error(errno));
     return status < BY_SIGNAL && status & USAGE ? USAGE : status;

@@ -9,7 +9,7 @@
 /* Data about a written program, in addition to its files. */
 typedef struct {
     char *json;   /* members of the manifest's program: constants, tables; "" for none */
-    int *members; /* per index in the block: index of the unit's number */
+    int *members; /* per member of the block: index of the unit's number */
     int member_count;
 } Written;
 
@@ -27,7 +27,7 @@ typedef struct Unit {
     int layout_case;     /* layout case that it writes; -1: none */
     int count;           /* numbers that may be in a uniform block: places, or members already */
     uint8_t *components; /* components of each: 1 to 4 floats; plus UNIT_WORDS for words */
-    uint32_t *bits;      /* all components in sequence: bits of floats, or words */
+    uint32_t *bits;      /* all components in sequence: bits of floats, or plain words */
     int bit_count;
     /* Members of the manifest's JSON: uniforms and textures, each preceded by ", ". */
     char *own;

@@ -10,15 +10,14 @@
  * range: the absolute difference for a color, the relative one for an exponent. NaN counts as
  * infinite error. */
 typedef struct {
-    double maximum, rms; /* over all components of all points; NaN: not measured */
+    double maximum, rms; /* errors over all components of all points; NaN: not measured */
 } Distance;
 
 typedef struct {
     Variant variant;
-    /* per pixel of pass gbuffer, minus the time of a constant color, at least 0 */
+    /* time per pixel of pass gbuffer, minus the time of a constant color, at least 0 */
     double nanoseconds;
-    /* after packing into the layout and unpacking, against the reference; NaN: slot not in
-     * the layout */
+    /* error after packing into the layout and unpacking; NaN: slot not in the layout */
     Distance packed[SLOT_COUNT];
     Distance computed[SLOT_COUNT]; /* pass value in floats, against the reference */
     /* pass value sampled at pixel centers, against the supersampled picture; NaN for normals */
@@ -26,8 +25,8 @@ typedef struct {
     double error;     /* max of packed[].maximum */
     double rms;       /* max of packed[].rms */
     double aliasing;  /* max of aliased[].rms */
-    bool front;       /* on the Pareto front of time and `error` */
-    bool alias_front; /* on the Pareto front of time and `aliasing` */
+    bool front;       /* the variant is on the Pareto front of time and `error` */
+    bool alias_front; /* the variant is on the Pareto front of time and `aliasing` */
 } Measured;
 
 typedef struct {

@@ -9,7 +9,7 @@ typedef struct {
     int material;
     GlKind gl;
     double range;         /* relevant coordinates are in [-range, range] */
-    const char *basename; /* of the output files; NULL: no files */
+    const char *basename; /* base name of the output files; NULL: no files */
     /* called per measured program; or NULL */
     void (*progress)(void *user, int done, int total);
     void *user;

@@ -9,7 +9,7 @@ enum { PLOT_LINES = 5 };
 
 typedef struct {
     double x, y;       /* values <= 0 are drawn on the axis; NaN: not drawn */
-    bool front;        /* on the Pareto front: joined to the line and labeled */
+    bool front;        /* the point is on the Pareto front: joined to the line and labeled */
     bool named;        /* labeled even if not on the front; for a line: listed in the legend */
     const char *label; /* NULL or "": no label */
     /* Line number from 1 to PLOT_LINES: points of the same number are joined in the order of x.

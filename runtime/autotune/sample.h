@@ -18,7 +18,7 @@ typedef struct {
     double yaw;    /* radians from the x axis */
     double scale;  /* units of u and v per length unit */
     double aspect; /* width over height */
-    int height;    /* of the picture, in pixels */
+    int height;    /* height of the picture in pixels */
     /* Offset added to x and y, and times `scale` to u and v: moves the plane away from the
      * origin. */
     double shift[2];

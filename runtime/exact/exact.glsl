@@ -88,7 +88,7 @@ bool exactMeets(ExactRay ray, uint triangle, bool endless)
     if (min(min(areas.x, areas.y), areas.z) < 0.0 && max(max(areas.x, areas.y), areas.z) > 0.0)
         return false;
     float area = areas.x + areas.y + areas.z;
-    if (area == 0.0) return false; // edge-on
+    if (area == 0.0) return false; // the triangle is edge-on
     float along = dot(areas, vec3(seen[0].z, seen[1].z, seen[2].z)) / area;
     return along > 0.0 && (endless || along < 1.0) && exactOff(ray.from, a, b, c);
 }

@@ -21,7 +21,7 @@ typedef struct {
     double origin[3];
     double reach; /* the greatest absolute coordinate relative to the origin */
     int count;
-    ExactObject *objects; /* in the order of GpuScene.places: opaque objects first */
+    ExactObject *objects; /* objects in the order of GpuScene.places: opaque ones first */
     int object_count, opaque_count;
 } ExactTriangles;
 

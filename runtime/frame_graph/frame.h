@@ -57,7 +57,7 @@ struct Renderer {
     int param_count;
     RendererLight *kept_lights; /* the lights at the last rebuild: renderer_lights.c */
     int kept_light_count;
-    int samples;  /* per pixel along each axis; the sizes below count samples */
+    int samples;  /* samples per pixel along each axis; the sizes below count samples */
     int size[2];  /* size of the targets: that of a tile */
     int whole[2]; /* size of the whole picture */
     int at[2];    /* lower left corner of the targets in the picture */
@@ -87,7 +87,8 @@ struct Renderer {
     FrameTransparency *transparent;
     /* The scene has changed since passes last counted their work: FrameCount. */
     bool uncounted;
-    ScreenPass retired[FRAME_RETIRED_MAX]; /* of the previous scene, for frame_retire() */
+    /* passes of the previous scene, until frame_retired_delete() */
+    ScreenPass retired[FRAME_RETIRED_MAX];
     int retired_count;
     Reader reader; /* reads the slot that the view shows */
     bool has_reader;

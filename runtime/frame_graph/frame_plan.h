@@ -33,7 +33,7 @@ typedef struct {
 } FramePlanTarget;
 
 typedef struct {
-    const FramePlanPass *passes; /* in execution order */
+    const FramePlanPass *passes; /* passes in execution order */
     int pass_count;
     unsigned allowed; /* passes that have work in this scene */
     unsigned wanted;  /* targets that are read after the frame */

@@ -19,7 +19,7 @@ typedef enum {
     FRAME_TARGET_lists,       /* per-pixel linked lists, in a buffer */
     FRAME_TARGET_far,         /* far-field light in a buffer: sums of the pass light_cluster */
     FRAME_TARGET_light,
-    FRAME_TARGET_rays,     /* as `ao`, at the resolution of the rays */
+    FRAME_TARGET_rays,     /* ambient occlusion at the resolution of the rays */
     FRAME_TARGET_temporal, /* temporal accumulation: pass_temporal.c owns its textures */
     FRAME_TARGET_denoise,  /* denoised along rows */
     FRAME_TARGET_ao,       /* ambient occlusion and indirect light */
@@ -46,7 +46,7 @@ typedef enum {
     FRAME_DRAW_denoise,
     FRAME_DRAW_ao,
     FRAME_DRAW_edge,
-    FRAME_DRAW_mask, /* with depth and stencil */
+    FRAME_DRAW_mask, /* framebuffer with depth and stencil */
     FRAME_DRAW_final,
     FRAME_DRAW_COUNT
 } FrameDraw;
@@ -77,7 +77,8 @@ typedef struct {
 /* Returns the format of a target's texture, such as "RGBA16F"; NULL if the target has no texture
  * of that number. */
 const char *frame_format(const Renderer *renderer, FrameTarget target, int texture);
-int frame_bytes(const Renderer *renderer, FrameTarget target); /* per pixel */
+/* Returns the bytes per pixel of a target. */
+int frame_bytes(const Renderer *renderer, FrameTarget target);
 /* Size of the target's textures along an axis, in texels. */
 int frame_edge(const Renderer *renderer, FrameTarget target, int axis);
 /* Bytes per pixel of the target that lie in memory of earlier targets. */

@@ -31,7 +31,7 @@ typedef struct GlContext {
     const char *version;   /* GL_VERSION; the driver's text */
     const char *renderer;  /* GL_RENDERER */
     const char *language;  /* GL_SHADING_LANGUAGE_VERSION: the highest one */
-    bool hardware;         /* not one of Mesa's software renderers */
+    bool hardware;         /* the renderer is not one of Mesa's software renderers */
     int max_texture_size;  /* max edge of a texture or framebuffer, in texels */
     int max_texture_units; /* max samplers in a fragment program */
     /* Max anisotropy of a sampler, by GL_EXT_texture_filter_anisotropic or OpenGL 4.6; 1: none

@@ -45,7 +45,7 @@ static bool load_library(Egl *e)
     void *library = dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL);
     if (!library)
         library = dlopen("libEGL.so", RTLD_NOW | RTLD_LOCAL);
-    if (!library) /* never closed, like OSMesa */
+    if (!library) /* the library is never closed, like OSMesa */
         return message_fail(e->error, e->capacity, "no libEGL.so.1 found (Debian: libegl1)");
     void *symbol;
 #define F(NAME, Name)                                                                              \

@@ -156,7 +156,7 @@ static bool make_of(GlContext *gl, const FramebufferSpec *spec, const GLenum *fo
     made->spec = *spec;
     memcpy(made->formats, formats, sizeof *formats * (size_t)spec->color_count);
     attach(gl, made);
-    /* before the check: GL 3 counts missing draw buffers as incomplete */
+    /* sets the draw buffers first: GL 3 counts missing draw buffers as incomplete */
     framebuffer_use(gl, made);
     if (gl_check(gl, "making a framebuffer") && check_complete(gl, made))
         return true;

@@ -87,7 +87,7 @@ static void swap_rows(double rows[4][8], int first, int second)
     }
 }
 
-/* One step of Gauss-Jordan elimination: the column becomes that of the identity. */
+/* Performs one step of Gauss-Jordan elimination: the column becomes that of the identity. */
 static bool eliminate(double rows[4][8], int column)
 {
     int best = column;

@@ -71,7 +71,8 @@ static void upload(const GlContext *gl, const Mesh *mesh, const Shape *shape)
                            (GLsizeiptr)shape->vertex_count * (GLsizeiptr)sizeof *shape->extra[i],
                            shape->extra[i], GL_STATIC_DRAW);
         }
-    gl->BindVertexArray(0); /* before the buffers, or the array would lose its index buffer */
+    /* unbinds the array before the buffers, or the array would lose its index buffer */
+    gl->BindVertexArray(0);
     gl->BindBuffer(GL_ARRAY_BUFFER, 0);
 }
 

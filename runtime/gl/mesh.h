@@ -34,7 +34,7 @@ typedef struct {
     GLuint extras[SHAPE_EXTRAS]; /* four components per vertex; 0: the shape has none */
     ShapeNames names;            /* names of the extras */
     GLsizei index_count;
-    ShapeBody body; /* whether the mesh is closed */
+    ShapeBody body; /* class of the mesh: open, closed or solid */
 } Mesh;
 
 /* Makes a mesh of a preview shape. Returns false on failure, with *made empty; see gl->error. */

@@ -1,5 +1,5 @@
-/* One triangle that contains the square from (-1, -1) to (1, 1) of clip space, so that no edge
- * crosses the picture. */
+/* Full-screen pass: one triangle that contains the square from (-1, -1) to (1, 1) of clip space,
+ * so that no edge crosses the picture. */
 #include "runtime/gl/screen.h"
 #include <string.h>
 

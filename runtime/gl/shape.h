@@ -44,9 +44,9 @@ typedef struct {
     ShapeVertex *vertices;
     uint32_t *indices; /* triangles */
     int vertex_count, index_count;
-    /* By vertex: position before displacement; NULL: the shape is not displaced. */
+    /* Indexed by vertex: position before displacement; NULL: the shape is not displaced. */
     float (*base)[3];
-    float (*extra[SHAPE_EXTRAS])[4]; /* by vertex; NULL: missing */
+    float (*extra[SHAPE_EXTRAS])[4]; /* indexed by vertex; NULL: missing */
     ShapeNames names;                /* names of the extras from SHAPE_EXTRA_named on */
 } Shape;
 
@@ -69,11 +69,11 @@ void shape_free(Shape *shape);
  * ignoring case. */
 bool shape_extra_is(const char (*names)[SHAPE_NAME], int extra, const char *name);
 
-/* Whether a mesh is watertight, with vertices at equal positions merged. The test by hashes is
+/* Classes of watertight meshes, with vertices at equal positions merged. The test by hashes is
  * wrong for one in 2^63 of the open meshes. shape_closed.c */
 typedef enum {
     SHAPE_BODY_none,
-    /* Each edge has an even number of triangles, also if two closed meshes touch or intersect. */
+    /* Each edge has an even number of triangles, even if two closed meshes touch or intersect. */
     SHAPE_BODY_closed,
     /* Each edge has equally many triangles in both directions, and all triangles of each
      * connected part face away from the part's center. So the first triangle that a ray from

@@ -35,7 +35,7 @@ static uint64_t place_number(const float position[3])
 typedef struct {
     uint64_t *places;
     int *owners;
-    double (*sums)[4]; /* of a part: sum of its positions, and their number */
+    double (*sums)[4]; /* per part: sum of its positions, and their number */
 } Parts;
 
 /* Classifies a mesh by its edges; edges of zero length are ignored. */

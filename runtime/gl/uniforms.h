@@ -8,10 +8,10 @@ typedef struct {
     char *name;
     GLenum type;
     int components; /* 1-4; 9 and 16 for a matrix */
-    GLint location; /* of a plain uniform; -1 for a member of a block */
+    GLint location; /* location of a plain uniform; -1 for a member of a block */
     int block;      /* index of the member's block, or -1 */
-    int offset;     /* of a member in its block, in bytes */
-    int stride;     /* between columns of a matrix, in bytes */
+    int offset;     /* offset of a member in its block, in bytes */
+    int stride;     /* stride between columns of a matrix, in bytes */
 } GlUniform;
 
 typedef struct {

@@ -62,7 +62,7 @@ static int location(int input)
     return count;
 }
 
-/* by number of components */
+/* GLSL types, indexed by number of components */
 static const char *const types[] = {"", "float", "vec2", "vec3", "vec4"};
 
 void field_default(const MatcAttribute *attribute, char text[FIELD_DEFAULT_CAPACITY])

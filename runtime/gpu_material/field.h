@@ -11,7 +11,7 @@ _Static_assert(INPUT_P == 0 && INPUT_XV == FIELD_VARYINGS - 1, "the varyings com
 
 typedef struct {
     float at[4];                    /* clip space */
-    float input[FIELD_VARYINGS][3]; /* by Input */
+    float input[FIELD_VARYINGS][3]; /* values of the varyings, indexed by Input */
 } FieldVertex;
 
 typedef struct {

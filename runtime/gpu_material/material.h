@@ -21,7 +21,7 @@ typedef struct {
     const StoreItem *program;                     /* shared with other materials */
     const StoreItem *textures[MATERIAL_TEXTURES]; /* shared; texture i is on unit i */
     int texture_count;
-    /* This material's own: values of the plain uniforms in program->uniforms, initially 0. */
+    /* Values of this material for the plain uniforms in program->uniforms, initially 0. */
     float (*values)[16];
     struct MaterialBlock *blocks;
     struct MeshFeed *feeds; /* attributes of meshes that the program reads by name */

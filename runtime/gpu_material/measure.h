@@ -10,7 +10,7 @@ enum {
     MEASURE_TEXELS = 3
 };
 
-#define MEASURE_GREATEST 1e18f /* as in tone.glsl */
+#define MEASURE_GREATEST 1e18f /* max measured value, as in tone.glsl */
 
 typedef struct {
     int count; /* number of steps */

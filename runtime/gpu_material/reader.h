@@ -8,7 +8,7 @@ typedef struct {
     const char *unpack; /* MATC_UNPACK; needed only during reader_make() */
     Target target;      /* the GLSL version of `unpack` */
     const LayoutRow *layout;
-    int width, height; /* of the G-buffer */
+    int width, height; /* size of the G-buffer */
 } ReaderSource;
 
 typedef struct {

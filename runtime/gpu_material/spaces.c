@@ -20,7 +20,7 @@ static Mat4 find_depth_from_world(const Spaces *spaces)
 static void set_plane(const Spaces *spaces, const Mat4 *depth_from_world, Material *material)
 {
     float depth[4], w[4];
-    for (int i = 0; i < 4; i++) { /* rows of the matrix */
+    for (int i = 0; i < 4; i++) { /* copies the rows of z and w */
         depth[i] = depth_from_world->m[4 * i + 2];
         w[i] = depth_from_world->m[4 * i + 3];
     }

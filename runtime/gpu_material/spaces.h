@@ -11,7 +11,7 @@ typedef struct {
     float viewer[4];   /* the eye and 1, or, for parallel rays, the direction to it and 0 */
     float time;        /* seconds */
     float object;      /* the object's random number, in [0, 1) */
-    float plane[3][3]; /* of the pass plane: origin, step of u, step of v */
+    float plane[3][3]; /* mapping of the pass plane: origin, step of u, step of v */
     /* Rays are parallel: the pass plane draws the rays of `rays` instead. */
     bool parallel;
     /* Parallel rays of the pass plane: an eye; the vector from the eye to the plane at the

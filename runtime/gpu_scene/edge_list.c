@@ -12,7 +12,7 @@ typedef struct {
     const Scene *scene;
     const ViewSpace *space;
     const int *size;
-    double pixels; /* per unit of the ray's x and y */
+    double pixels; /* pixels per unit of the ray's x and y */
     HashIndex solids;
     Key *keys;
     EdgeMesh *meshes;

@@ -15,9 +15,9 @@ typedef struct {
     const Shape *shape;
     HashIndex positions, sides;
     double scale;      /* cells per unit */
-    int *place;        /* by vertex: the first vertex at the same position */
-    uint32_t (*of)[2]; /* by edge: the end vertices in the edge's first face */
-    uint8_t *faces;    /* by edge: number of faces */
+    int *place;        /* indexed by vertex: the first vertex at the same position */
+    uint32_t (*of)[2]; /* indexed by edge: the end vertices in the edge's first face */
+    uint8_t *faces;    /* indexed by edge: number of faces */
     EdgeMesh *made;
 } EdgeMaker;
 
@@ -134,7 +134,7 @@ static void add_side(EdgeMaker *m, uint32_t a, uint32_t b, const EdgeFace *face)
         memcpy(edge->ends[k], position(m, (int)vertices[k]), sizeof edge->ends[k]);
         set_face(face, k, edge);
     }
-    edge->open = true; /* until a second face shares the edge */
+    edge->open = true; /* the edge is open until a second face shares it */
     memcpy(m->of[number], vertices, sizeof vertices);
     m->faces[number] = 1;
     hash_index_add(NULL, &m->sides, hash, (uint32_t)number);

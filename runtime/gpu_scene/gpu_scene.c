@@ -33,8 +33,9 @@ typedef struct {
     Key *file_keys; /* hashes of the scene's meshes */
     TransparencyText transparency;
     TriangleIdTextParts seen;
-    int *kind_of, *row_of;        /* by material; kind_of -1: not yet used */
-    int *used_as[GPU_SCENE_USES]; /* by material, index in GpuScene.casters; -1: no such program */
+    int *kind_of, *row_of; /* indexed by material; kind_of -1: not yet used */
+    /* indexed by material: index in GpuScene.casters; -1: no such program */
+    int *used_as[GPU_SCENE_USES];
 } Maker;
 
 /* Returns the element's number, or -1. */

@@ -139,7 +139,8 @@ bool gpu_scene_mesh_view(GlContext *gl, const GpuSceneSource *source, GpuScene *
         source->scene, {source->size[0], source->size[1]}, {0}, {0}, {.count = 0}};
     double grounds[GROUNDS_MAX][4];
     bool fine = true;
-    if (gpu_scene_mesh_by_lights(gpu_scene) && !gpu_scene->plane_count) /* a plane is infinite */
+    /* with an infinite plane no box bounds the scene */
+    if (gpu_scene_mesh_by_lights(gpu_scene) && !gpu_scene->plane_count)
         find_box(source, gpu_scene, view.low, view.high);
     if (source->alone && source->volume && !source->triangles) {
         view.sight = (SceneFrustums){.planes = source->volume->planes,

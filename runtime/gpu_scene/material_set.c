@@ -65,7 +65,7 @@ typedef struct {
     const Scene *scene;
     MatcOptions options;
     MaterialSet *set;
-    int *last; /* by first program of a text: the last one */
+    int *last; /* indexed by the first program of a text: the last one */
 } Maker;
 
 /* Returns the pass that draws an object. */
@@ -382,7 +382,7 @@ static bool write_text(Maker *m, int first)
     const int count = matc_place_count(set->programs[first].program);
     int *members = malloc((size_t)count * sizeof *members + 1);
     int found = members ? find_members(set, first, members, count) : -1;
-    if (found > MAX_MEMBERS) { /* too many: only programs with equal constants share */
+    if (found > MAX_MEMBERS) { /* too many members: only programs with equal constants share */
         part(m, first, true);
         found = 0;
     }

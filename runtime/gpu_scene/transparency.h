@@ -26,9 +26,10 @@ enum {
  * layers. */
 typedef struct {
     Transparency way;
-    bool instances;                  /* programs of surfaces use instancing */
-    char head[TRANSPARENCY_TEXT];    /* replaces the #version */
-    char tail[2][TRANSPARENCY_TEXT]; /* for surfaces, for planes: definitions that the body reads */
+    bool instances;               /* programs of surfaces use instancing */
+    char head[TRANSPARENCY_TEXT]; /* replaces the #version */
+    /* definitions that the body reads, for surfaces and for planes */
+    char tail[2][TRANSPARENCY_TEXT];
     const char *body;
 } TransparencyText;
 

@@ -24,12 +24,12 @@ enum { LIGHTING_PIECES = 7 };
 typedef struct {
     const char *body[LIGHTING_PIECES]; /* NULL for unused pieces */
     bool over;                         /* the body defines passOver() */
-    int block;                         /* as in screen_pass.h */
+    int block;                         /* binding of a block, as in screen_pass.h */
     LightingOf of;
 } LightingText;
 enum {
     LIGHTING_UNITS = FRAMEBUFFER_COLORS + 10,
-    LIGHTING_FREE_UNIT = LIGHTING_UNITS /* for a texture of the pass itself */
+    LIGHTING_FREE_UNIT = LIGHTING_UNITS /* unit for a texture of the pass itself */
 };
 bool lighting_make(Renderer *renderer, const LightingText *text, ScreenPass *made);
 /* Backdrop: GLSL of backdropAt(), or "", for the pass tone, and for passes that light if the

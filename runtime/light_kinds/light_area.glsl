@@ -202,7 +202,7 @@ float areaArc(vec3 a, vec3 step_, vec3 normal, vec3 w, float exponent)
     float off = dot(w, m), square = off * off;
     vec3 near = w - off * m;
     float along = dot(near, near);
-    if (along < 1e-10) near = a; // all of the arc is perpendicular to w
+    if (along < 1e-10) near = a; // the whole arc is perpendicular to w
     vec3 beside = cross(m, near);
     float r = min(sqrt(square + 4.0 / (exponent + 1.0)), 1.0);
     float first = atan(dot(beside, a), r * dot(near, a)),
@@ -251,7 +251,8 @@ struct AreaSide {
     vec3 normal, even;        // the side's normal, and its diffuse share
     vec3 specular, axis, across; // specular lobe: gloss max(axis.l, 0)^exponent across.l
     float exponent;
-    mat3 into; // if the exponent is negative: maps the side's normal to z, or a lobe's directions
+    // valid if the exponent is negative: maps the side's normal to z, or a lobe's directions
+    mat3 into;
 };
 
 AreaSide areaPowers(vec3 normal, vec3 even, vec3 specular, vec3 axis, vec3 across, float exponent)

@@ -106,7 +106,8 @@ static const char *find_accessor(const Reader *r, const Tree *index, size_t coun
     made->normalized = is_text(gltf_file_value(accessor, "normalized"), "true");
     if (!made->components)
         return "its accessor's type is not SCALAR, VEC2, VEC3 or VEC4";
-    if (!bytes_of(component) || component == UNSIGNED_INT) /* not allowed for attributes */
+    /* unsigned ints are not allowed for attributes */
+    if (!bytes_of(component) || component == UNSIGNED_INT)
         return "its accessor's componentType is not byte, short or float (5120 to 5123, 5126)";
     if (gltf_file_whole(gltf_file_value(accessor, "count"), 0) != count)
         return "its accessor has another count than that of POSITION";

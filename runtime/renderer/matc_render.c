@@ -19,7 +19,7 @@ struct MatcRenderer {
     GlContext *gl;
     Renderer *renderer;
     Scene *scene;       /* owned by the caller */
-    GLuint framebuffer; /* for reading the picture's texture; 0: not made yet */
+    GLuint framebuffer; /* framebuffer for reading the picture's texture; 0: not made yet */
 };
 
 #define DEGREE 0.017453292519943295 /* radians */

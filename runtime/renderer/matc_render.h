@@ -104,11 +104,11 @@ typedef struct {
     /* Returns the address of a GL function such as "glClear"; NULL if the driver lacks it. */
     MatcRendererProc (*load)(void *user, const char *name);
     void *user; /* passed to load */
-    /* How programs compute; NULL: the defaults. */
+    /* compile options of all programs; NULL: the defaults */
     const MatcOptions *compile;
     /* "final", the picture (NULL), "light", "depth", or a slot such as "normal" */
     const char *view;
-    int width, height; /* of the picture; 0: the scene's size */
+    int width, height; /* size of the picture; 0: the scene's size */
 } MatcRendererOptions;
 
 /* Opens a renderer. Returns NULL on failure, with the reason in `error`, which holds `capacity`

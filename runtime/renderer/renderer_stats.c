@@ -189,7 +189,7 @@ static void put_memory(Text *out, const Renderer *renderer)
     for (int i = 0; i < FRAME_TARGET_COUNT; i++) {
         const FrameTarget target = (FrameTarget)i;
         if (target == FRAME_TARGET_shadow)
-            continue; /* of their own sizes, so no bytes a pixel */
+            continue; /* shadow maps have their own sizes, so no bytes per pixel */
         Text formats = text_new(out->arena);
         text_put(&formats, "");
         for (int t = 0; frame_format(renderer, target, t); t++)

@@ -18,7 +18,7 @@ enum {
     SCENE_PLACE = 1024 /* bytes of a place as text; longer file names are cut */
 };
 
-/* By columns, as in GL: m[4 * column + row]; the last row is 0, 0, 0, 1. */
+/* Affine transform. Stored by columns, as in GL: m[4 column + row]; the last row is 0, 0, 0, 1. */
 typedef struct {
     double m[16];
 } SceneMatrix;
@@ -46,13 +46,13 @@ typedef struct {
         /* Sphere: radius, detail; Box: size; Cylinder, Cone: radius, height, detail;
          * Parallelogram: u, v. */
         [SCENE_NUMBERS];
-    int mesh;     /* of a Mesh: index in Scene.meshes */
+    int mesh;     /* index in Scene.meshes if the object is a Mesh */
     int material; /* index in Scene.materials */
     /* The document gives no detail, so a large scene chooses it by the size in the picture:
      * scene_detail.h. */
     bool adapts;
     const char *name; /* preceded by those of its groups, "lamps/bulb"; NULL: no name */
-    bool removed;     /* by the host: hidden for good, and the slot may be reused */
+    bool removed;     /* removed by the host: hidden for good; the slot may be reused */
     /* Neither drawn nor casting shadows; after a change call renderer_changed_meshes(). */
     bool hidden;
     SceneMatrix world_from_local;
@@ -86,7 +86,7 @@ typedef struct {
 
 typedef struct {
     bool grid, axes, lights;
-    int grid_cells; /* from the origin to each side */
+    int grid_cells; /* number of grid cells from the origin to each side */
     double grid_step, axes_length, light_size;
 } SceneTools;
 
@@ -195,7 +195,7 @@ const char *scene_volume_name(Keyword word);
  * so other methods leave them unchanged. */
 void scene_lights_shadow(Scene *scene, Keyword method);
 /* Like the functions for the list Shadows, for the list Indirect. */
-bool scene_indirect_is(const Scene *scene); /* has indirect light */
+bool scene_indirect_is(const Scene *scene); /* Reports whether the scene has indirect light. */
 bool scene_indirect_find(const char *name, Keyword *method);
 const char *scene_indirect_name(Keyword word);
 /* Plain shadow maps, the default of `shadows:`. */

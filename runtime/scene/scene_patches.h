@@ -23,7 +23,7 @@ typedef struct ScenePatches {
     SceneMatrix world_from_local;
     SceneDividing dividing;
     bool torn; /* the result is not watertight, even if the patches are */
-    /* All edges of a patch have as many parts as the one that needs the most, regardless of
+    /* Every edge of a patch gets the part count of the patch's most divided edge, regardless of
      * adjacent patches. */
     bool apart;
     double bound;    /* max displacement of a point in world units */

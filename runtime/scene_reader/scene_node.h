@@ -35,12 +35,12 @@ typedef struct {
         document_capacity;
     SceneMeshFiles mesh_files[2]; /* files read as a single mesh; files split by material */
     Names document_paths;         /* paths of scene->documents */
-    Span *origins;                /* by object of the scene: its place in the document */
+    Span *origins;                /* indexed by object of the scene: its place in the document */
     size_t origin_count, origin_capacity;
     int *planes; /* indices of objects that are planes */
     size_t plane_count, plane_capacity;
     const Tree *definitions; /* the document's `defs:`; NULL if missing */
-    bool *instanced;         /* by index of a definition */
+    bool *instanced;         /* indexed by definition: the definition is used */
     /* The current objects do not enter the scene: their materials and planes do not count. */
     bool aside;
     SceneMaterial *asides; /* materials of the objects outside the scene; element 0 is unused */
@@ -54,7 +54,7 @@ typedef struct {
     size_t solid_count, solid_capacity;
     int64_t triangles;         /* sum over all different meshes, solids included */
     int64_t surface_triangles; /* sum over all surfaces with copies */
-    bool fine;                 /* no error so far */
+    bool fine;                 /* no error has been reported so far */
 } SceneReader;
 
 /* A read node. Parameters are named by their index in scene_param_table, such as

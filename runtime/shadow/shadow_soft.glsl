@@ -29,7 +29,7 @@ const int SOFT_WORDS = (SOFT_POINTS * SOFT_POINTS + 31) / 32;
 // A light, and a surface point in its axes: x along u, z along the normal, to the point's side; the
 // origin is the light's corner.
 struct Soft {
-    vec3 corner, u, v; // in eye space
+    vec3 corner, u, v; // rectangle of the light in eye space: corner and edges
     vec3 eye;          // the surface point in eye space
     vec2 along_u, along_v;
     vec3 point, normal;
@@ -87,7 +87,8 @@ ivec2 softTexel(vec3 way, out float away)
     vec2 at = way.xy / away;
     ivec2 low = ivec2(SOFT_QUARTER), high = ivec2(3 * SOFT_QUARTER - 1);
     if (side > way.z) {
-        // no component is indexed by a variable: some drivers keep such vectors in memory
+        // selects components without a variable index, since some drivers keep indexed vectors in
+        // memory
         bool x = size.x >= size.y;
         float beyond = 2.0 - max(way.z, 0.0) / side;
         int first = (x ? at.x : at.y) < 0.0 ? 0 : 3 * SOFT_QUARTER, last = first + SOFT_QUARTER - 1;

@@ -25,7 +25,7 @@ typedef struct {
 
 /* Transmittance of infinite planes if it varies: plane_transmittance.c. */
 typedef struct {
-    Material *materials;    /* programs by layer and sheet */
+    Material *materials;    /* programs, indexed by layer and plane */
     int layer_count, count; /* number of lights, number of sheets */
     /* Array texture of transmittances per pixel, a layer for each light that casts shadows. */
     GLuint layers;

@@ -117,7 +117,8 @@ TONE reflectedOf(vec2 albedo, float reflectance, TONE again)
 //   scatters 0.78 of all once, and 0.22 are uniform.
 struct Grain {
     float rough, once;
-    TONE high, tilt, low, all; // all: single-scattering albedo for light from all directions
+    // `all` is the single-scattering albedo for light from all directions
+    TONE high, tilt, low, all;
 };
 
 // Makes a Grain from the transmittance along the normal, at cosine 1/4, and in the mean: the means

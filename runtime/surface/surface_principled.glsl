@@ -63,7 +63,7 @@ struct Lit {
     vec3 behind, evenBehind;
 #endif
 #ifdef LIT_LAYERS
-    bool layered; // has a coat or fuzz
+    bool layered; // the surface has a coat or fuzz
     vec3 metalBounce, dielectricBounce; // base's reflection of light that layers reflect back
     // multiple-scattering loss, below(), of metal and of the dielectric; over the mean
     vec2 multipleScatteringOfEye, multipleScatteringRatio;

@@ -13,10 +13,10 @@ typedef struct {
     int input_count;
     const char *output, *folder;
     int size;                 /* pixels, as requested; 0: not given */
-    int samples;              /* per pixel, in each direction; 0: not given */
+    int samples;              /* samples per pixel along each axis; 0: not given */
     const char *view;         /* --view: name of the displayed buffer */
     const char *format_named; /* --format */
-    PictureFormat format;     /* from --format, else from the output's file extension */
+    PictureFormat format;     /* format from --format, else from the output's file extension */
     int bits, memory;         /* bits per component; render target budget in MiB; 0: not given */
     bool progress;
     RendererEdges edges;

@@ -90,7 +90,7 @@ typedef struct {
     /* collects the pictures of materials for --contact; or NULL */
     ContactSheet *sheet;
     MaterialPictures *materials; /* opened at the first material */
-    const Shape *mesh;           /* or NULL */
+    const Shape *mesh;           /* imported mesh; NULL: a solid */
     MatcDocument *drawn;         /* the previous document, which the renderer may still use */
     const char *input;           /* the current document */
     PictureOwners owners;

@@ -27,7 +27,7 @@ struct Staging {
     dev_t device; /* identity of the folder */
     ino_t inode;
     unsigned how;
-    bool new_folder; /* this run created the folder, still empty */
+    bool new_folder; /* this run created the folder, which is still empty */
     bool begun;      /* the list of intents is on disk, and the folder is locked */
     Stage stage;
     StringSet names;
@@ -166,7 +166,7 @@ static int number_of(Staging *s, const char *name)
     int number = string_set_add(&s->names, name, &added);
     if (added) {
         s->files = sets_resize(s->files, (size_t)s->names.capacity * sizeof *s->files);
-        s->files[number] = (StagedFile){.dropped = true}; /* until the file is written */
+        s->files[number] = (StagedFile){.dropped = true}; /* dropped until the file is written */
     }
     pthread_mutex_unlock(&s->mutex);
     return number;

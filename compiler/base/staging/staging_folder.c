@@ -109,7 +109,8 @@ const char *stage_make(Stage *s, int folder)
         error = open_locked(s);
         if (!error || (s->at >= 0 && has_no_locks(error)))
             return NULL;
-        stage_remove(s); /* also if another process locked it first in order to remove it */
+        /* Removes the folder even if another process locked it first in order to remove it. */
+        stage_remove(s);
     }
     return text_error(error);
 }

@@ -226,7 +226,7 @@ void bisectInsert(uvec2 id, uint slot)
         uint place = at & ((1u << bisect_tableBits) - 1u), had = bisect_table[place];
         bool taken = had >> 24 == uint(bisect_stamp);
         done = !taken && atomicCompSwap(bisect_table[place], had, entry) == had;
-        at += uint(taken); // read the entry of the thread that came first
+        at += uint(taken); // a taken entry: go on with the next one
     }
 }
 
@@ -302,7 +302,7 @@ struct Ring {
     uint first, count; // members; first BISECT_NONE: the edge is inside the base
     int depth;         // depth of the triangles with this edge as their edge a b
     ivec3 beyond;      // edge inside the base: three times a point of the neighbor
-    int weight;        // otherwise: sum of both ends' weights at the earlier place
+    int weight;        // edge not inside the base: sum of both ends' weights at the earlier place
 };
 
 uint bisectEdge(Corners t)

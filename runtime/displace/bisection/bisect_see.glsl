@@ -49,7 +49,8 @@ mat3 bisectPart(uint base, uint part)
 BisectBase bisectBase(uint base)
 {
     BisectBase found = BisectBase(bisectPart(base, 0u), mat3(0.0));
-    // a loop with 0 iterations: drivers that execute both sides of a branch skip it
+    // without closed bases the loop has 0 iterations, and drivers that execute both sides of a
+    // branch skip it
     for (int i = 0; i < bisect_closed; i += 3)
         found.normals = bisectPart(base, 1u);
     return found;
@@ -246,7 +247,8 @@ float bisectWants(BisectBase at, uint base, uint number, Corners t, uint code)
     float far = bisectDeviation(code) * bisect_scale / bisect_pixels;
     float away = max(length(max(abs(bisect_eye.xyz - middle) - extent, 0.0)), bisect_near);
     float coarse = far - away, coarser = far / 8.0 - away;
-    if (bisect_eye.w == 0.0) { // independent of the distance
+    // a parallel projection: the deviation is independent of the distance
+    if (bisect_eye.w == 0.0) {
         coarse = far > 1.0 ? BISECT_SURE : -BISECT_SURE;
         coarser = far > 8.0 ? BISECT_SURE : -BISECT_SURE;
     }
@@ -279,7 +281,7 @@ Answers bisectAnswers(Asked a)
 #ifdef BISECT_WIDE
     // faster to recompute than to keep in registers
     Corners t = bisectCorners(a.leaf.base, a.leaf.number);
-    // a dynamic loop bound, so that the compiler does not duplicate the body
+    // the loop bound is dynamic, so that the compiler does not duplicate the body
     for (uint up = 0u; up <= uint(a.even); up++) {
         float wants = bisectWants(base, a.leaf.base, a.leaf.number >> up, t, up == 0u ? a.leaf.own
             : a.leaf.behind);

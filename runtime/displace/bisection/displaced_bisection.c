@@ -162,7 +162,7 @@ static void begin_anew(Displaced *d, double pixels)
  * the scan stage does. */
 static void look(const Displaced *d, GLuint high)
 {
-    enum { LOOK_TILES = 16 /* per workgroup */ };
+    enum { LOOK_TILES = 16 /* tiles evaluated per workgroup */ };
     Bisection *b = d->own;
     const GLuint tiles = (high + (GLuint)b->tile - 1) / (GLuint)b->tile;
     if (displaced_context(d)->hardware) {

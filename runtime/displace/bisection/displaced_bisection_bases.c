@@ -21,7 +21,7 @@ typedef struct {
 typedef struct {
     const ScenePatches *patches;
     SceneMatrix local_from_world;
-    const int *first; /* by row: the first row at the same position */
+    const int *first; /* indexed by row: the first row at the same position */
     Edge *edges;
     uint32_t edge_count;
     HashIndex index;

@@ -34,7 +34,7 @@ void main()
     int steps = int(clamp(ceil(length(along.xy) * (ends.y - ends.x) * float(trace_parts)),
         float(LEAST), float(MOST)));
     float enough = NEAR * (trace_nodes[node + 1].w - trace_nodes[node].w);
-    // on both sides of the surface: heights, and parameters
+    // heights over the surface and ray parameters, on both sides of the hit
     vec2 over = vec2(1.0, -1.0), between = ends;
     float t = ends.x, last = 0.0;
     bool found = false;

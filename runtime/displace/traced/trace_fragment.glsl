@@ -2,7 +2,7 @@
 // grid, nearest first, and refines the hit to the exact surface by matc_displaced().
 //  A triangle is 0.01 wide and its surface 1e-5 above it in its middle: the ray hits the triangle,
 //  two steps later a point of the surface with an error below 1e-7.
-// polygon offset of depth: factor by the slope, and units of the least step
+// polygon offset of depth: the factor and units of glPolygonOffset
 uniform vec2 trace_offset;
 
 const int TRACE_STACK = 24; // three entries for each of max six levels, and one more

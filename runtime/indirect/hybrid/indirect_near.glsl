@@ -11,8 +11,8 @@
 
 // Data that all rays of a point share.
 struct IndirectOrigin {
-    vec3 point, normal, from; // from: start of screen-space rays, a little off the surface
-    vec3 place, up;           // in grid units: the point; offset from it to voxelStart()
+    vec3 point, normal, from; // `from` is the start of screen-space rays, a little off the surface
+    vec3 place, up;           // in grid units: the point, and the offset from it to voxelStart()
     float lift;               // length of `up` in eye-space units
     bool full;                // the start lies in a full voxel, as in a corner
     vec3 seen;                // indirectSeen of `from`
@@ -38,7 +38,7 @@ IndirectOrigin indirectOrigin(vec3 point, vec3 normal)
 
 // Start of a ray in voxels, off the surface.
 struct IndirectStart {
-    vec3 place;  // in the grid's units
+    vec3 place;  // start of the ray in the grid's units
     float begin; // distance along the ray of that start
     bool full;   // the start lies in a full voxel, as in a corner
 };

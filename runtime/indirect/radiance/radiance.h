@@ -26,7 +26,7 @@
 enum { RADIANCE_SIZE_MAX = 256, RADIANCE_SIDES = 6 };
 
 struct FrameRadiance {
-    Material *keepers; /* by surface kind of the GPU scene: a program that writes nodes */
+    Material *keepers; /* indexed by surface kind of the GPU scene: a program that writes nodes */
     int keeper_count;
     unsigned char *casts; /* a RadianceCast by place of the GPU scene */
     Material number;      /* numbers the nodes of each voxel */

@@ -28,7 +28,7 @@ void main()
         return;
     }
     vec3 even = radiance_texels[first + 2u].xyz, sum = vec3(0.0);
-    if (radiance_texels[first].w < 0.0) return; // within a closed mesh
+    if (radiance_texels[first].w < 0.0) return; // the node is within a closed mesh
     vec3 normal = normalize(radianceNormal(radiance_texels[first].w));
     vec3 place = float(1 << radiance_shift) * radiancePlace(number * LISTS_STRIDE, radiance_size);
     vec3 start = voxelStart(place, normal);

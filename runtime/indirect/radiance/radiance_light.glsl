@@ -39,7 +39,7 @@ bool radianceIsBuried(uint node, vec3 place)
 
 void main()
 {
-    const float pixel = 0.0625; // in voxels: the position error that shadows assume
+    const float pixel = 0.0625; // position error that shadows assume, in voxels
     uint number = radianceNumber(), node = number * LISTS_STRIDE, first = number * RADIANCE_TEXELS;
     if (number >= radiance_count) return;
     vec3 place = radiancePlace(node, radiance_size), normal = vec3(0.0);

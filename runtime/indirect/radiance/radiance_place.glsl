@@ -11,8 +11,10 @@ layout(std430, binding = 5) buffer RadianceTexels {
     vec4 radiance_texels[];
 };
 
-const uint RADIANCE_BODY = 0x80000000u;  // in a node's first word: its surface is of a closed mesh
-const uint RADIANCE_PLACE = 0x3FFFFFFFu; // in a node's first word: the voxel times 8, plus the side
+// bit of a node's first word: its surface belongs to a closed mesh
+const uint RADIANCE_BODY = 0x80000000u;
+// bits of a node's first word: the voxel times 8, plus the side
+const uint RADIANCE_PLACE = 0x3FFFFFFFu;
 
 uint radianceNumber()
 {

@@ -15,7 +15,7 @@ uniform bool radiance_body; // the mesh is closed and fills voxels
 
 // minus the bits of a depth in [0, 1]: larger is nearer; > 0
 const uint RADIANCE_NEAREST = 0x3F800001u;
-const uint RADIANCE_KEPT = 0x40000000u; // in a node's first word: its surface is stored
+const uint RADIANCE_KEPT = 0x40000000u; // bit of a node's first word: its surface is stored
 
 void main()
 {
@@ -29,7 +29,8 @@ void main()
         atomicOr(radiance_faces[voxel], side);
         return;
     }
-    if (radiance_step == 2) surfaceMain(); // called by every fragment, since it takes derivatives
+    // every fragment calls surfaceMain(), since it takes derivatives
+    if (radiance_step == 2) surfaceMain();
     uint word = radiance_faces[voxel], nearness = RADIANCE_NEAREST - floatBitsToUint(depth);
     uint node = ((word >> 6) + uint(bitCount(word & 63u & (side - 1u)))) * LISTS_STRIDE;
     if (radiance_step == 1) {

@@ -101,7 +101,8 @@ double indirect_near(const Renderer *renderer)
  * may be off by its diagonal. zw: the picture's pixel at the tile's origin. */
 static void set_models(const Renderer *renderer, float models[4])
 {
-    const double thick = 2, part = .5; /* in voxels; in ray lengths */
+    const double thick = 2,
+                 part = .5; /* thickness of surfaces: in voxels; as a share of the ray length */
     const SceneIndirect *in = &renderer->scene->indirect;
     const bool voxels = indirect_reads_voxels(renderer);
     const double edge = voxels ? voxel_grid(renderer->scene, &renderer->gpu_scene).edge : 0;

@@ -137,7 +137,7 @@ static void run(Renderer *renderer, ScreenPass *pass)
     if (indirect_reads_voxels(renderer))
         voxel_bricks_bind(renderer, VOXEL_UNIT);
     if (radiance_needed(renderer)) {
-        /* after the pass radiance, which may change its size */
+        /* set after the pass radiance, which may change the size of the cache */
         radiance_set(renderer, RADIANCE_UNIT, pass);
         radiance_bind(renderer, RADIANCE_UNIT);
     }

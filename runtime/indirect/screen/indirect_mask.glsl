@@ -91,7 +91,7 @@ vec4 indirectAround(ivec2 pixel, IndirectShift shifts, vec3 point, vec3 normal, 
                 float depth = texelFetch(indirect_depth, at, 0).x;
                 if (depth <= 0.0 || at == pixel) continue;
                 vec3 way = indirectPoint(at, depth) - from;
-                // also when the pixel's center, off the half plane, seems higher
+                // skips points below the half plane, even if the pixel's center seems higher
                 if (dot(way, normal) <= 0.0) continue;
                 float far = length(way);
                 if (far > indirect_reach.x) continue;

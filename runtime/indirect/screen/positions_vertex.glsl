@@ -5,7 +5,7 @@
 uniform sampler2D positions_depth;
 uniform mat3 positions_turn;
 uniform vec4 positions_middle; // center of rotation
-uniform vec4 positions_ray, positions_view; // of view_space.h
+uniform vec4 positions_ray, positions_view; // uniforms of view_space.h
 uniform vec4 positions_clip;   // scales of x, y and z; w: offset of z
 uniform vec4 positions_w;      // x: scale of z, y: offset, which give clip space w
 out vec3 position;

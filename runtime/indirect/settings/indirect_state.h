@@ -5,7 +5,8 @@
 #include "runtime/indirect/settings/indirect_method.h"
 
 typedef struct {
-    /* By object: its matrix at the last accumulated frame; NULL: frames do not accumulate. */
+    /* Indexed by object: its matrix at the last accumulated frame; NULL: frames do not
+     * accumulate. */
     SceneMatrix *kept;
     int first, end;   /* range of objects that may have moved since */
     Material number;  /* draws motion ids */
@@ -40,6 +41,7 @@ struct FrameIndirect {
     IndirectMoving moving;
     Framebuffer between; /* intermediate à-trous levels: the target ao, or a part of it */
     IndirectMotion motion;
-    ScreenPass rays, again, smooth, spread, combine; /* again: rays of further bounces */
+    /* `again` traces the rays of further bounces */
+    ScreenPass rays, again, smooth, spread, combine;
 };
 #endif

@@ -76,7 +76,7 @@ bool voxelAt(vec3 place)
 struct VoxelWay {
     vec3 start;        // start in the grid, or where the ray enters it; mirrored
     vec3 along, over;  // mirrored direction: largest component 1, all > 0; its reciprocal
-    ivec3 turn;        // per axis: voxel i of the mirrored grid is i ^ turn
+    ivec3 turn;        // the mirrored grid's voxel i along an axis is voxel i ^ turn
     float scale;       // length along this ray = t of the original ray * scale
     float begin, most; // length before the start; max length after it
     bool within;       // the ray begins in the grid

@@ -85,7 +85,7 @@ const char *volume_cells_maps(void);
 void volume_cells_draw(const Renderer *renderer, int view, int number);
 /* Draws all cells in a fixed order, for a view that blends colors. */
 void volume_cells_draw_all(const Renderer *renderer, int view, int number);
-/* Returns the bytes of the lists. */
+/* Returns the size of the lists of cells in bytes. */
 size_t volume_cells_bytes(const Renderer *renderer);
 void volume_cells_delete(Renderer *renderer);
 

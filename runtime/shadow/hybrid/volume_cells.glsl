@@ -26,7 +26,8 @@ const int VOLUME_TRIANGLES[7] = int[7](2, 4, 4, 6, 6, 8, 10);
 const int VOLUME_CORNERS[210] = int[210](
     // no crossing on any segment
     0, 3, 6, 0, 6, 9, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
-    // one, on segment 0, with center 0 nearer; or center 1 nearer: the wall is on the deeper side
+    // one crossing, on segment 0, with center 0 nearer; or center 1 nearer: the wall is on the
+    // deeper side
     0, 1, 9, 1, 2, 9, 2, 6, 9, 2, 3, 6, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
     0, 1, 9, 1, 2, 6, 1, 6, 9, 2, 3, 6, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
     // two, on the segments 3 and 0: center 0 is cut off
@@ -166,7 +167,7 @@ bool volumeCellHas(ivec2 layers, vec2 at, float depth, bool parallel)
         float area = ab.x * ac.y - ab.y * ac.x;
         vec2 part = vec2(way.x * ac.y - way.y * ac.x, ab.x * way.y - ab.y * way.x) /
             max(area, 1e-9);
-        // a wall, or outside the triangle
+        // the triangle is a wall, or the point is outside the triangle
         if (area <= 1e-9 || part.x < 0.0 || part.y < 0.0 || part.x + part.y > 1.0) continue;
         if (parallel && min(a.z, min(b.z, c.z)) <= 0.0) return false;
         return depth < a.z + (b.z - a.z) * part.x + (c.z - a.z) * part.y;

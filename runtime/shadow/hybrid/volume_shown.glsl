@@ -4,7 +4,7 @@ layout(std140) uniform Look {
     vec4 look_ray; // set by view_space.h
     vec4 look_view;
 };
-in float volume_away; // 1: no corner of the triangle has a depth in the map
+in float volume_away; // 1: the map has no depth at any corner of the triangle
 layout(location = 0) out vec4 look_light; // like tools_light: covered share of the light
 layout(location = 1) out vec4 look_shown;
 

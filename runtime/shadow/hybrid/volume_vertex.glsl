@@ -26,7 +26,7 @@ layout(location = 0) in float volume_depth;
 #endif
 invariant gl_Position; // caps and sheets share vertices
 #ifdef VIEWED
-out float volume_away; // 1: the map has no depth there (volume_shown.glsl)
+out float volume_away; // 1: the map has no depth at the vertex (volume_shown.glsl)
 #endif
 
 #ifndef CELLS

@@ -43,7 +43,7 @@ bool silhouetteCovers(bvec2 low, bvec2 high, vec4 cut, vec2 point)
     if (right) cut = vec4(1.0 - cut.xy, cut.wz);
     if (up) cut = vec4(cut.yx, 1.0 - cut.zw);
     if (count != 2) return silhouetteCuts(cut.xz, point) == alone;
-    if (cut.x + cut.z > cut.y + cut.w) // equals cut.x + cut.z + 1 - cut.y + 1 - cut.w > 2
+    if (cut.x + cut.z > cut.y + cut.w) // equivalent to cut.x + cut.z + 1 - cut.y + 1 - cut.w > 2
         return !silhouetteCuts(vec2(1.0 - cut.x, cut.w), vec2(1.0 - point.x, point.y)) &&
                !silhouetteCuts(vec2(cut.y, 1.0 - cut.z), vec2(point.x, 1.0 - point.y));
     return silhouetteCuts(cut.xz, point) || silhouetteCuts(1.0 - cut.yw, 1.0 - point);
@@ -103,7 +103,7 @@ bool silhouetteReaches(int view, vec3 point, vec3 normal, float pixel)
 {
     SilhouettePlace place = silhouettePlace(view, point, normal);
     vec2 low = clamp(floor(place.at), vec2(0.0), vec2(SHADOW_SIZE - 2)), part = place.at - low;
-    // outside the map
+    // the point is outside the map
     if (any(lessThan(part, vec2(0.0))) || any(greaterThan(part, vec2(1.0)))) return true;
     vec3 middle = vec3((low + 1.0) / float(SHADOW_SIZE), view);
     vec4 depths = textureGather(shadow_maps, middle),
@@ -112,7 +112,7 @@ bool silhouetteReaches(int view, vec3 point, vec3 normal, float pixel)
     middle.z = shadowRow(view, VIEW_HOW).w - 1.0;
     vec4 rows = textureGather(silhouette_crossings, middle, 0),
         columns = textureGather(silhouette_crossings, middle, 1);
-    // no crossing from each center to the next around the cell
+    // true without a crossing from a center to the next around the cell
     vec4 joined = vec4(equal(vec4(rows.x, columns.z, rows.w, columns.w), vec4(0.0)));
     for (int i = 0; i < 3; i++)
         free = max(free, max(joined * free.yzwx, joined.wxyz * free.wxyz));

@@ -18,7 +18,7 @@ typedef struct {
     GLuint crossings;       /* array of two bytes per texel, a layer for each view with crossings */
     GLuint extents;         /* buffer: extents of a view's crossings while they are found */
     GLuint edges, places;   /* buffers: edges of all meshes; numbers of the objects in a view */
-    SilhouetteMesh *meshes; /* by mesh of the GPU scene */
+    SilhouetteMesh *meshes; /* indexed by mesh of the GPU scene */
     int edge_count;
     Material find, pack;
 } Silhouettes;

@@ -26,18 +26,18 @@ layout(std140, binding = 0) readonly buffer Instances {
 layout(std430, binding = 1) readonly buffer Places {
     uint places[];
 };
-// of all meshes: two ends, then the third corners of both faces
+// edges of all meshes: two ends, then the third corners of both faces
 layout(std430, binding = 2) readonly buffer Edges {
     float edge_components[];
 };
-// per texel: extents of the segment to the right, and upwards
+// extents per texel: of the segment to the right, and of that upwards
 layout(std430, binding = 3) buffer Extents {
     uint extents[];
 };
 uniform sampler2DArray silhouette_maps;
 // three rows from world space; near, edge of the map in texels, its number
 uniform mat4 silhouette_view;
-// of a mesh: its first edge, their number; offset of its objects' numbers
+// range of a mesh: its first edge, number of edges; offset of its objects' numbers
 uniform vec3 silhouette_run;
 
 const float NEAR_CENTRE = 1.0 / 128.0; // distance to a texel's center in texels
