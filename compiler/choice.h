@@ -13,7 +13,7 @@
 const TargetRow *choice_target(const MatcOptions *options);
 /* Returns the values of an option ("aa": auto, none, ...). Returns false for an unknown option. */
 bool choice_values(const char *option, NameChoice *values);
-/* Returns the value that an option was given, or NULL. */
+/* Returns the value of an option; NULL: not given. */
 const char *choice_value(const MatcOptions *options, const char *option);
 /* Sets an option like matc_options_set, but without checking the value: values such as
  * "gbuffer,shadow" and the path of a layout are interpreted later. */

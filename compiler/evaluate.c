@@ -96,7 +96,7 @@ bool evaluate_material(const MatcDocument *d, int material, const MatcOptions *o
     return known;
 }
 
-/* Evaluates the slots at a point given as text. Returns a fault, or NULL. */
+/* Evaluates the slots at a point given as text. Returns NULL, or a fault. */
 static const char *evaluate(const MatcDocument *d, int material, const char *point,
                             const MatcOptions *options, SlotValues *values)
 {

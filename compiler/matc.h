@@ -83,7 +83,8 @@ typedef struct {
      * NULL: all literals stay. */
     const int *members;
     int member_count;
-    int optimize;  /* 0: none; 1, 2 (default): all passes of the optimizer */
+    /* level of optimization: 0, none; 1 and 2 (default), all passes of the optimizer */
+    int optimize;
     bool validate; /* validate the output by glslang (default) */
     bool measure;  /* collect times for MATC_STATS */
     unsigned
@@ -163,7 +164,7 @@ MATC_API void matc_document_free(MatcDocument *document);
 MATC_API int matc_material_count(const MatcDocument *document);
 /* Returns the name under `materials:`, or the file's stem; NULL if the index is invalid. */
 MATC_API const char *matc_material_name(const MatcDocument *document, int material);
-/* Returns the index of the material with that name, or -1. */
+/* Returns the index of the material with that name; -1: none. */
 MATC_API int matc_material_find(const MatcDocument *document, const char *name);
 /* Files on which the document depends, itself first, including files that were missing; NULL for
  * an invalid index. */
@@ -303,15 +304,16 @@ typedef struct {
     const char *name;
     const char *type; /* "float", "vec2", "vec3", "vec4", "uint", "uvec4" */
     int components;
-    int offset;       /* offset of a member in bytes */
-    int member;       /* index in the members of the options, otherwise -1 */
-    double values[4]; /* values in the compiled material */
+    int offset;       /* offset of the member in bytes */
+    int member;       /* index of the member in MatcOptions; -1: not a member */
+    double values[4]; /* values of the constant in the compiled material */
 } MatcConstant;
 MATC_API int matc_place_count(MatcProgram *program);
 MATC_API const MatcConstant *matc_place(MatcProgram *program, int index);
 MATC_API int matc_constant_count(const MatcProgram *program);
 MATC_API const MatcConstant *matc_constant(const MatcProgram *program, int index);
-MATC_API int matc_constant_bytes(const MatcProgram *program); /* size of the block */
+/* Returns the size of the uniform block in bytes. */
+MATC_API int matc_constant_bytes(const MatcProgram *program);
 /* Writes the content of the uniform block: matc_constant_bytes bytes. */
 MATC_API void matc_constant_block(const MatcProgram *program, void *block);
 
@@ -320,20 +322,22 @@ MATC_API void matc_constant_block(const MatcProgram *program, void *block);
 /* A texture that the program samples; owned by the program, but its texels by the document,
  * which must still exist. Row 0 is at v = 0. */
 typedef struct {
-    const char *name; /* name of its sampler in the shader */
+    const char *name; /* name of the texture's sampler in the shader */
     /* Path of the image, NULL for a generated texture; "a.glb#/images/2" is an image inside the
      * file. */
     const char *path;
     int width, height;
-    int components;             /* components per texel: 1 or 4 */
-    const unsigned char *bytes; /* a byte per component, divided by 255; or NULL */
-    const float *floats;        /* a float per component; or NULL */
+    int components; /* components per texel: 1 or 4 */
+    /* texels as a byte per component, divided by 255; NULL: another format */
+    const unsigned char *bytes;
+    const float *floats; /* texels as a float per component; NULL: another format */
     /* Needs all mipmap levels and trilinear filtering; otherwise nearest filtering. */
     bool mipmaps;
     /* Texel format by OpenGL's name: "RGBA8", "SRGB8_ALPHA8", "RGBA16", "R32F", ... */
     const char *format;
-    const unsigned short *words; /* 16 bits per component, divided by 65535; or NULL */
-    int anisotropy;              /* max anisotropy of its sampler, if supported; 1: none */
+    /* texels as 16 bits per component, divided by 65535; NULL: another format */
+    const unsigned short *words;
+    int anisotropy; /* max anisotropy of the sampler, if supported; 1: none */
     /* Address mode: "repeat", "mirrored_repeat", "clamp_to_edge", or "clamp_to_border" with a
      * border of zeros. */
     const char *wrap;
@@ -357,8 +361,8 @@ typedef struct {
     const char *name;  /* name in the shader */
     const char *param; /* name in the document */
     int components;    /* number of components, 1 to 4 */
-    bool whole;        /* an int uniform */
-    double initial[4]; /* default value */
+    bool whole;        /* the uniform has the type int */
+    double initial[4]; /* default value of the uniform */
 } MatcUniform;
 MATC_API int matc_uniform_count(const MatcProgram *program);
 MATC_API const MatcUniform *matc_uniform(const MatcProgram *program, int index);
@@ -427,10 +431,10 @@ MATC_API void matc_layout_free(MatcLayout *layout);
 enum { MATC_SLOTS = 30, MATC_SETS = 256 };
 typedef struct {
     double low[4], high[4]; /* range of each component over the counted materials */
-    int counted;            /* materials in which the slot has an effect */
-    int absent;             /* counted materials without the slot */
-    int alike;              /* counted materials whose components are equal */
-    int drawn;              /* further materials, whose slot the draw call sets */
+    int counted;            /* number of materials in which the slot has an effect */
+    int absent;             /* number of counted materials without the slot */
+    int alike;              /* number of counted materials whose components are equal */
+    int drawn;              /* number of further materials, whose slot the draw call sets */
 } MatcSlotRange;
 /* Number of materials that store exactly these slots. */
 typedef struct {

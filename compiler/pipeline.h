@@ -6,7 +6,7 @@
 
 typedef struct {
     Interface interface;
-    const char *fragment, *vertex; /* the vertex program is NULL without validation */
+    const char *fragment, *vertex; /* texts of the programs; `vertex` is NULL without validation */
     size_t fragment_size;
 } Products;
 

@@ -15,7 +15,7 @@ struct MatcProgram {
     const MatcDocument *document;
     int material;
     Job job;
-    bool ok, written; /* written: the GLSL exists */
+    bool ok, written; /* `written`: the GLSL exists */
     unsigned asked;   /* MatcOutputs requested so far */
     Ir *ir;
     Products products;
@@ -27,9 +27,9 @@ struct MatcProgram {
     int *texture_made_by;
     int texture_count;
     const LayoutRow *layout;                    /* NULL: the pass writes no layout */
-    MatcAttribute attributes[LIMIT_ATTRIBUTES]; /* attributes in use */
+    MatcAttribute attributes[LIMIT_ATTRIBUTES]; /* attributes that the program uses */
     int attribute_count;
-    MatcUniform *uniforms; /* uniforms in use */
+    MatcUniform *uniforms; /* uniforms that the program uses */
     int uniform_count;
     MatcConstant *constants;
     bool keyed; /* the next four members are valid */

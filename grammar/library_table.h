@@ -3,7 +3,7 @@
 #define MATC_LIBRARY_TABLE_H
 
 typedef struct {
-    const char *name; /* file name: "bricks.yaml" */
+    const char *name; /* name of the file, such as "bricks.yaml" */
     const char *text;
 } LibraryFile;
 extern const LibraryFile library_table[];

@@ -29,7 +29,7 @@ static inline bool group_is_draws(Group group) { return group > GROUP_IOR; }
 enum { COMPONENTS_OF_GROUP = 4 }; /* a channel's id is COMPONENTS_OF_GROUP * group + component */
 
 typedef struct {
-    const char *name; /* name for --eval: "px", "u", ... */
+    const char *name; /* name of the channel for --eval: "px", "u", ... */
     Group group;
     int component;
     const char *doc;
@@ -114,8 +114,8 @@ typedef struct {
     Kind kind; /* the kind that has the parameter */
     const char *name;
     ParamKind type;
-    int components; /* components of the default: 0 for none */
-    double init[3]; /* default value */
+    int components; /* number of components of the default; 0: no default */
+    double init[3]; /* value of the default */
     double low, high;
     const char *doc;
 } ParamRow;
@@ -156,13 +156,13 @@ typedef struct {
     int cost;
     int first, count; /* range of the kind's rows in param_table */
     const char *doc;
-    const char *answers; /* channels or slots that it provides, and the treatment of others */
+    const char *answers; /* channels or slots that the kind provides, and the treatment of others */
     const char *formula; /* the computation, as lines of plain text */
     const char *example; /* an example document; NULL: the map with its defaults */
     FilterKind filter;
     int mean, variance, far; /* Functions of the filter, or FN_none; for samples a Far */
     unsigned moves;          /* Moved: coordinates that differ from its input's */
-    double step;             /* step of its finite difference; 0: a texel */
+    double step;             /* step of the map's finite difference; 0: a texel */
     /* Number of coordinate components of the difference; 0: neither discontinuous nor an image. */
     int step_components;
 } KindRow;
@@ -226,7 +226,7 @@ typedef struct {
     int cost;
     const char *doc;
 } FunctionRow;
-extern const FunctionRow function_table[]; /* FUNCTION_COUNT rows */
+extern const FunctionRow function_table[]; /* has FUNCTION_COUNT rows */
 static inline const FunctionRow *function_row(int function) { return &function_table[function]; }
 /* Returns a letter for each argument: f i 2 3 4 s. */
 const char *function_arguments(int function);
@@ -294,10 +294,10 @@ typedef enum {
 typedef struct {
     const char *name, *doc;
     const char *version;   /* text of the #version line */
-    const char *enables;   /* an extension, or NULL */
+    const char *enables;   /* extension that the target enables; NULL: none */
     const char *precision; /* precision of floats, integers and samplers; NULL: default */
-    const char *index;     /* built-in vertex index, or NULL */
-    const char *library;   /* suffix of its own library files, or NULL */
+    const char *index;     /* built-in vertex index; NULL: none */
+    const char *library;   /* suffix of the library files that only this target uses; NULL: none */
     int number;            /* number of the GLSL version */
     int layout;            /* Layout: the default */
     bool in_out, blocks, locations, words, spirv, srgb_textures, word_textures, borders,

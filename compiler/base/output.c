@@ -28,7 +28,7 @@ static bool is_special(const char *path)
         if (!strncmp(path, open_files[i], strlen(open_files[i])))
             return true;
     if (!stat(path, &info) && S_ISDIR(info.st_mode))
-        return true; /* opening it reports the error */
+        return true; /* the open() that follows reports the error */
     return !lstat(path, &info) && !S_ISREG(info.st_mode) && !S_ISLNK(info.st_mode);
 }
 

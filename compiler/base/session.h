@@ -57,14 +57,14 @@ enum {
 
 typedef struct {
     const char *name; /* stage: "read", "lower", an optimizer pass ... */
-    double seconds;   /* wall-clock time */
-    int nodes;        /* live IR nodes after the stage; 0 before IR exists */
-    int cost;         /* cost of these nodes in scalar operations */
+    double seconds;   /* elapsed wall-clock time */
+    int nodes;        /* number of live IR nodes after the stage; 0 before IR exists */
+    int cost;         /* cost of the live nodes in scalar operations */
 } StageStats;
 
 typedef struct Session {
     const MatcOptions *options;
-    Arena *arena; /* lives as long as the result */
+    Arena *arena; /* arena that lives as long as the result */
     DiagList diags;
     Text message; /* message of the diagnostic that is being added */
     Source *sources;

@@ -10,7 +10,7 @@
 
 typedef struct {
     Arena *arena;
-    char *at; /* zero-terminated after the first addition */
+    char *at; /* characters, zero-terminated after the first addition */
     size_t size, capacity;
 } Text;
 
@@ -81,7 +81,7 @@ static inline char text_lower(char c) { return text_is_upper(c) ? (char)(c - 'A'
  * `size` bytes. */
 bool text_same(const char *a, const char *b);
 bool text_same_start(const char *a, const char *b, size_t size);
-/* Returns the value of a hexadecimal digit, or -1. */
+/* Returns the value of a hexadecimal digit; -1: none. */
 static inline int text_hex_digit(char c)
 {
     const char letter = text_lower(c);

@@ -11,7 +11,7 @@
 typedef struct {
     Text *out;
     const char *name;
-    int (*compare)(const char *, const char *); /* strcmp or strcasecmp */
+    int (*compare)(const char *, const char *); /* strcmp or strcasecmp, to compare names */
 } Query;
 
 /* Begins a new page if a row has the queried name. */

@@ -6,7 +6,7 @@
 /* A chunk and its variants, which are adjacent in the table. */
 typedef struct {
     const Chunk *first;
-    int count, length; /* length: of the name before the variants' suffixes */
+    int count, length; /* `length` is that of the name without the suffixes of variants */
 } Variants;
 
 static bool is_variant(const Chunk *chunk, const char *name, int length)

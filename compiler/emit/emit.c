@@ -38,7 +38,7 @@ static bool needs_name(const Scope *e, Ref ref, int size)
     if (e->s.arm[ref] || (e->s.hoisted && e->s.hoisted[ref]))
         return true;
     if (emit_is_leaf(e->ir, ref))
-        /* a swizzle of an inlined expression */
+        /* the node is a swizzle of an inlined expression */
         return node->op == OP_swizzle && e->s.uses[ref] > 1 && size > 0;
     if (e->s.uses[ref] > 1)
         return true;
@@ -116,7 +116,8 @@ static bool has_statements(Scope *e, int block, Ref tail)
         if (e->s.arm[ref] == e->s.arm[tail] || e->done[ref])
             continue;
         int size = expression_size(e, ref);
-        e->size[ref] = (uint16_t)size; /* operands come first; sizes of users build on them */
+        /* sizes of operands come first, since sizes of users build on them */
+        e->size[ref] = (uint16_t)size;
         if (needs_name(e, ref, size))
             return true;
     }

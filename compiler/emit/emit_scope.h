@@ -10,9 +10,9 @@ typedef struct {
     /* Scope that computes the map's value, which gets the plain name; otherwise the first step
      * does. */
     int valued;
-    const char *name; /* stem; steps append numbers */
+    const char *name; /* stem of the names; steps append numbers */
     int steps;        /* number of named steps */
-    bool given;       /* the plain name is used */
+    bool given;       /* the plain name is already used */
 } Naming;
 
 /* Offsets of a source's lines; NULL until first needed. */

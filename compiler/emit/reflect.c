@@ -57,7 +57,7 @@ static void put_offset(Text *out, const Job *job, const char *type, int *size)
         text_format(out, ", \"offset\": %d", std140_offset(type, size));
 }
 
-/* *size: size of the uniform block so far. */
+/* `size` is the size of the uniform block so far. */
 static void put_inputs(Text *out, const Ir *ir, const Job *job, const Interface *interface,
                        int *size)
 {

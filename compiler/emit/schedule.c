@@ -23,8 +23,8 @@ enum { BRANCH_COST = 40 }; /* min cost of an arm, in scalar operations, for whic
 /* Branches that depend on the same condition. */
 typedef struct Condition {
     uint32_t branches;
-    uint32_t stage; /* min stage of a region that can contain all of them */
-    Ref open;       /* first select of the region that others may join; 0: none */
+    uint32_t stage; /* min stage of a region that can contain all of the branches */
+    Ref open;       /* first select of the region that other selects may join; 0: none */
 } Condition;
 
 static int common_block(const Schedule *s, int a, int b)

@@ -9,7 +9,7 @@
 typedef struct {
     int parent, depth; /* block 0 is the scope itself */
     Ref first;         /* first node of the block; Schedule.next links the others in order */
-    /* cost of its nodes and nested blocks; only set if there are several blocks */
+    /* cost of the block's nodes and nested blocks; only set if there are several blocks */
     double cost;
 } Block;
 

@@ -5,7 +5,7 @@
 #include "compiler/emit/emit.h"
 
 typedef struct {
-    const char *fragment; /* given by the caller */
+    const char *fragment; /* text of the fragment program, given by the caller */
     const char *vertex, *control, *evaluation, *geometry, *compute;
 } EmitStages;
 /* Generates the programs and links them with the fragment program. Returns false after reporting

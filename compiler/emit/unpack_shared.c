@@ -25,7 +25,7 @@ static bool may_be_shared(const Piece *piece)
 
 static SlotComponent component_of(const Piece *piece) { return piece->field->source[piece->first]; }
 
-/* Returns the piece of a component in a case, or NULL. */
+/* Returns the piece of a component in a case; NULL: none. */
 static const Piece *piece_of(const Placement *placement, SlotComponent component)
 {
     for (int i = 0; i < placement->count; i++) {

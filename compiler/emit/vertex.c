@@ -11,7 +11,7 @@
 /* Source of a varying: the attribute and uniform that it reads, and its expression. */
 typedef struct {
     Input input;
-    const char *attribute; /* declaration, or NULL */
+    const char *attribute; /* declaration of the attribute; NULL: none */
     const char *uniform;
     const char *expression;
 } Feed;

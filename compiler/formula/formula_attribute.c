@@ -136,7 +136,7 @@ static bool read_default(FormulaReader *r, FormulaAttribute *made)
 
 static bool read_whole(FormulaReader *r, FormulaAttribute *made)
 {
-    formula_next(r); /* the bracket, already checked */
+    formula_next(r); /* takes the bracket, which was already checked */
     if (!read_name(r, made) || !take(r, ",", "a ',' and a type") || !read_type(r, &made->type))
         return false;
     if (formula_is(r, ",")) {

@@ -125,7 +125,7 @@ static bool read_comma(FormulaReader *r)
     }
     if (!formula_report_decimal(r))
         formula_report(r, DIAG_formula_comma);
-    r->operand_count--; /* the operand after the comma replaces both */
+    r->operand_count--; /* drops both operands; the operand after the comma replaces them */
     return false;
 }
 
@@ -168,7 +168,7 @@ static bool lacks_semicolon(const FormulaReader *r)
     return r->in_local && (line || (r->token.kind == TOKEN_name && formula_token_is(&next, "=")));
 }
 
-/* Detects "**". */
+/* Detects the operator "**" of other languages. */
 static bool is_power_of_others(const FormulaReader *r)
 {
     return r->token.kind == TOKEN_other && formula_begins(r->s, r->token.start, "**");

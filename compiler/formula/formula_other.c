@@ -149,7 +149,7 @@ static bool is_suffix_of_c(const char *letters)
     return false;
 }
 
-/* Returns the number that ends directly before the token, or NULL. */
+/* Returns the number that ends directly before the token; NULL: none. */
 static const FormulaStep *number_before(const FormulaReader *r)
 {
     const FormulaStep *step =

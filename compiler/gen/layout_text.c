@@ -12,7 +12,7 @@ typedef struct {
 typedef struct {
     const char *file;
     char c_prefix[NAME], glsl_prefix[NAME], type[NAME];
-    Known known[ROWS_MAX]; /* names of the whole file */
+    Known known[ROWS_MAX]; /* names of all rows of the file */
     int known_count, at;   /* `at`: number of words written so far */
     int open;              /* an enum has been opened */
 } Layout;

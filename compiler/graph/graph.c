@@ -65,7 +65,7 @@ bool value_is_zero(const Value *value)
     return value->kind == VALUE_number || value->kind == VALUE_none;
 }
 
-/* Returns a parameter's map, or NULL. */
+/* Returns a parameter's map; NULL: none. */
 static const Node *map_of(const Node *material, int param)
 {
     const Value *value = node_param(material, param);

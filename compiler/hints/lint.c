@@ -142,7 +142,7 @@ static void lint_lost(Session *session, const Node *material)
     }
 }
 
-static const double MIN_FUZZ = .2; /* minimum in surface_principled.glsl */
+static const double MIN_FUZZ = .2; /* min fuzz roughness of surface_principled.glsl */
 /* min value of a color's largest component for which integer components look like bytes */
 enum { LOOKS_LIKE_BYTE = 16, BYTE = 255 };
 
@@ -151,10 +151,10 @@ typedef enum {
     ASKED_xyz = MOVES_xyz,
     ASKED_uv = MOVES_uv,
     ASKED_color = 4,
-    ASKED_shininess = 8, /* the red component, which a material reads as an exponent */
+    ASKED_shininess = 8, /* red component, which a material reads as an exponent */
     ASKED_slope = 16,    /* derivatives by u and v */
     ASKED_other = 32,    /* normal, index of refraction, world position */
-    ASKED_light = 64,    /* a color of light, of unbounded intensity */
+    ASKED_light = 64,    /* color of light, of unbounded intensity */
     ASKED_shape = 128,   /* additional flag: the value displaces the surface */
     ASKED_shown = ASKED_color | ASKED_shininess,
 } Asked;
@@ -163,7 +163,7 @@ typedef struct {
     Session *session;
     unsigned *asked;        /* per node index: a set of Asked bits */
     const Node **reader;    /* per node index: one of the nodes that query it */
-    const unsigned *models; /* the graph's models */
+    const unsigned *models; /* models of the graph's materials */
     bool saying;            /* all queries are known, so findings may be reported */
 } LintFindings;
 
@@ -330,7 +330,7 @@ static unsigned asked_of_param(const Node *node, const ParamRow *param, unsigned
         return ASKED_shininess;
     if ((node->kind == KIND_Principled || node->kind == KIND_Layer) &&
         !param_is_colored((int)(param - param_table)))
-        return ASKED_color | ASKED_light; /* a number of any magnitude */
+        return ASKED_color | ASKED_light; /* the number may have any magnitude */
     return strcmp(param->name, "emissive") ? ASKED_color : ASKED_color | ASKED_light;
 }
 

@@ -23,7 +23,7 @@ enum {
 
 typedef struct {
     const uint8_t *bytes;
-    /* header: its size; rows, stride: offset of the rows, bytes of a row */
+    /* sizes in bytes of the file's header and of a row; `rows` is the offset of the rows */
     size_t size, header, rows, stride;
     unsigned bits, compression;
     bool from_top;

@@ -15,7 +15,8 @@
 
 enum {
     COMPONENTS = 4,
-    MAX_HEADER = 1 << 18, /* bytes: the library takes quadratic time for long headers */
+    /* max bytes of a header: the library takes quadratic time for long headers */
+    MAX_HEADER = 1 << 18,
     /* Max bytes of one allocation of the library: a block of lines, a tile, or a table of them. */
     MAX_ALLOCATION = 256 << 20,
     /* Min bytes of a block of lines or a tile: its table entry and its header. */
@@ -39,8 +40,8 @@ typedef struct {
     const exr_attr_chlist_t *channels;
     /* Index of the red, green, blue and alpha channel in the file; NONE: missing. */
     int component[COMPONENTS];
-    bool header_read; /* texels are being read */
-    const char *why;  /* the first fault */
+    bool header_read; /* the header has been read, and texels are being read */
+    const char *why;  /* reason of the first fault */
 } ExrReader;
 
 enum { NONE = -1 };

@@ -127,7 +127,7 @@ static void make_capacity(Ir *ir, int count)
         ir->args[i] += (Ref)count;
     for (size_t f = 0; f < ir->function_count; f++) {
         ir->functions[f].result += (Ref)count;
-        /* functions may share a list */
+        /* copies the list, as functions may share it */
         Ref *moved = ARENA_ARRAY(ir->arena, Ref, ir->functions[f].count);
         for (int i = 0; i < ir->functions[f].count; i++)
             moved[i] = ir->functions[f].arguments[i] + (Ref)count;

@@ -55,7 +55,8 @@ static void put_fixed(Walk *w, double number)
 /* Appends an operand: its number in the walk, or a constant. */
 static void put_value(Walk *w, Ref value, bool placed)
 {
-    const uint32_t constant = 0x80000000u; /* distinct from all numbers of the walk */
+    /* flag that distinguishes constants from all numbers of the walk */
+    const uint32_t constant = 0x80000000u;
     const Ir *ir = w->ir;
     Type type = ir_type(ir, value);
     if (!ir_is(ir, value, OP_const)) {

@@ -18,8 +18,8 @@ typedef struct {
 typedef struct Guards {
     Guard at[MAX_GUARDS];
     int count;
-    uint32_t set; /* id of this set of guards; every set ever active has its own id */
-    int steps;    /* remaining reexaminations */
+    uint32_t set; /* id of the current set of guards; every set ever active has its own id */
+    int steps;    /* remaining number of reexaminations */
     int depth;    /* recursion depth of reexamined nodes */
 } Guards;
 

@@ -15,7 +15,7 @@ typedef struct Ranges {
     Interval *of;
     size_t used, capacity; /* number of entries of `of`, and its capacity */
     RangePlace *place;     /* intervals of each node, by Ref */
-    size_t place_capacity; /* entries of `place` */
+    size_t place_capacity; /* capacity of `place` in entries */
     Ref count;             /* number of nodes at the last search */
     /* 1: one interval for all components of a node; FIELD_COMPONENTS: one per component */
     int components;

@@ -115,7 +115,7 @@ static void read_slot(const Ir *ir, const Ranges *ranges, const uint8_t *same,
         ir_is(ir, value, OP_input) && input_table[ir_at(ir, value)->payload].source == SOURCE_draw;
     range->drawn = draws;
     if (slot_class_table[output->index].kind == CLASS_none || draws)
-        return; /* contained in another slot, or set by the draw call */
+        return; /* the slot is contained in another slot, or set by the draw call */
     range->counted = 1;
     range->absent = ir_is_number(ir, value, row->absent);
     range->alike = same[value];

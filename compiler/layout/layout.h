@@ -9,7 +9,7 @@ enum { MAX_PIECES = 128 };
 
 typedef struct {
     const FieldRow *field;
-    int first, count;      /* range of components among the field's sources */
+    int first, count;      /* range of components in the field's sources */
     int target, component; /* render target, and component of the target */
     int size;              /* number of components; in a word target number of bits */
     int shift;
@@ -40,7 +40,7 @@ double layout_case_code(const LayoutRow *row, int number, int target, int compon
 /* Decodes the case from the first target's first word and the last target's last word. */
 int layout_case_of(const LayoutRow *row, uint32_t first, uint32_t last);
 int layout_targets(const LayoutRow *row);
-int layout_bytes(const LayoutRow *row); /* bytes per pixel */
+int layout_bytes(const LayoutRow *row); /* Returns the bytes per pixel. */
 /* True if a target holds unsigned words, for which GLSL 1.10 has no type. */
 bool layout_has_words(const LayoutRow *row);
 /* Returns the constant value of a slot in all materials of a case; NULL: the slot is stored, or

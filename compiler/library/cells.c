@@ -5,7 +5,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 
-enum { PRIME = 761, PRIME_STEP = 17, PERIOD = 65536 }; /* float hash */
+enum { PRIME = 761, PRIME_STEP = 17, PERIOD = 65536 }; /* constants of the float hash */
 static const double TURN = 33554432;                   /* integer hash: period of 2^25 cells */
 
 static bool of_floats(ReferenceNoise noise)

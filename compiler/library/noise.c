@@ -146,7 +146,7 @@ REFERENCE(turbulenceVariance)
 static void vector_turbulence(const void *context, const Octaves *o, const double direction[3],
                               double value[3], double along[3])
 {
-    const double mean = statistics(context).mean / 2; /* per component */
+    const double mean = statistics(context).mean / 2; /* mean of each component */
     for (int i = 0; i < 3; i++)
         value[i] = along[i] = 0;
     for (int k = 0; k < o->octaves; k++) {

@@ -26,13 +26,14 @@ typedef enum {
 /* A texture that references sample. Row 0 is the bottom row, v = 0. */
 typedef struct {
     int width, height;
-    int components; /* 1 or 4 */
+    int components; /* number of components, 1 or 4 */
     /* `components` bytes per texel; value = byte / 255; NULL if floats are set */
     const uint8_t *bytes;
     const float *floats;
-    const uint16_t *words; /* value = word / 65535; NULL if bytes or floats are set */
-    bool srgb;             /* the first three components are sRGB-encoded */
-    ReferenceWrap wrap;    /* texels outside the texture */
+    /* words per component; value = word / 65535; NULL if bytes or floats are set */
+    const uint16_t *words;
+    bool srgb;          /* the first three components are sRGB-encoded */
+    ReferenceWrap wrap; /* treatment of texels outside the texture */
     bool
         /* The wrap is the sampler's, and texel fetches repeat; otherwise every function wraps. */
         sampler_wraps;
@@ -42,7 +43,7 @@ typedef struct {
 typedef enum {
     REFERENCE_LATTICE,       /* integer hash: glsl330 and up, essl300 */
     REFERENCE_LATTICE_FLOAT, /* float hash: glsl110 */
-    REFERENCE_GROIMP,        /* GroIMP's tables */
+    REFERENCE_GROIMP,        /* uses the tables of GroIMP */
     REFERENCE_SIMPLEX,       /* simplex lattice, integer hash */
     REFERENCE_SIMPLEX_FLOAT, /* simplex lattice, float hash */
     /* GroIMP's tables for glsl110; functions without a table use the float hash */

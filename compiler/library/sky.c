@@ -110,10 +110,10 @@ static double mean(const double rgb[3]) { return (rgb[0] + rgb[1] + rgb[2]) / 3;
 /* Transmittance of sunlight through air of relative optical mass m. */
 static double transmittance(double nm, double m, double turbidity)
 {
-    const double ozone_depth = .35, water_depth = 2; /* cm */
+    const double ozone_depth = .35, water_depth = 2; /* thickness in cm */
     double um = nm / 1000, steam = curve_at(CURVE(water), nm) * water_depth * m;
-    double depth = m * .008735 * pow(um, -4.08)                        /* Rayleigh */
-                   + m * (.04608 * turbidity - .04586) * pow(um, -1.3) /* aerosol */
+    double depth = m * .008735 * pow(um, -4.08)                        /* Rayleigh scattering */
+                   + m * (.04608 * turbidity - .04586) * pow(um, -1.3) /* aerosol extinction */
                    + m * curve_at(CURVE(ozone), nm) * ozone_depth +
                    .2385 * steam / pow(1 + 20.07 * steam, .45);
     return exp(-depth);

@@ -35,7 +35,7 @@ enum {
     /* operations that are hidden behind a pixel's other work: 234 took no measurable time */
     FREE_COST = 200,
     MEAN_COST = 30,         /* estimated operations that a mean adds; a Checker's mean adds 32 */
-    LARGEST_GUESSED = 1000, /* estimated cost of a program above which no guess is made */
+    LARGEST_GUESSED = 1000, /* max estimated cost of a program for which a guess is made */
     MAX_SLOW = 2            /* max consecutive guesses that leave more than half of the range */
 };
 /* A mean whose price exceeds the remaining budget by this factor does not fit. */
@@ -50,8 +50,8 @@ typedef struct {
     Lower lower;
     Ir *ir;       /* NULL: lowering failed, or the IR was dropped */
     MapList seen; /* the maps that may be averaged over the pixel */
-    int below;    /* maps below this index are averaged */
-    int cost;     /* cost in operations, if `seen` has any map */
+    int below;    /* number of the leading maps that are averaged */
+    int cost;     /* cost of the program in operations, if `seen` has any map */
 } Trial;
 
 static DiagList copy_of_diags(Arena *arena, const DiagList *diags)

@@ -139,7 +139,7 @@ bool cells_far(Lower *l, Far far, const Ref *args, MapValue *made)
         !ir_is(ir, args[DIMENSIONS], OP_const))
         return false;
     if (ir_known(ir, args[STYLE])[0] != 0)
-        return true; /* style 1: a random number of the nearest point's cell */
+        return true; /* style 1 shows a random number of the nearest point's cell */
     const int flat = ir_known(ir, args[DIMENSIONS])[0] < CELLS_MAX_DIMENSIONS;
     const Cells cells = {.jitter =
                              build_clamp(ir, args[JITTER], build_float(ir, 0), build_float(ir, 1))};

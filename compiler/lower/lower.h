@@ -8,13 +8,13 @@
  * environment of its own. */
 typedef struct {
     Ref root[GROUP_COUNT];
-    Ref front; /* bool: front-facing */
-    bool seen; /* a viewer exists */
+    Ref front; /* bool: the surface is front-facing */
+    bool seen; /* a viewer of the surface exists */
     /* Set for a displacement, which depends on positions alone: attributes have their defaults,
      * and the object's random number is 0. */
     bool shape;
     Ref eye_n;  /* the root normal in eye space; 0: apply eyeFromWorld */
-    int number; /* memo key: depth of nested filters and Triplanar's Place */
+    int number; /* part of the memo key: depth of nested filters and Triplanar's Place */
     /* Set within a displacement whose slopes by u and v are wanted; part of the memo key. bump.c */
     bool relief;
 } Env;
@@ -43,7 +43,7 @@ typedef struct Split {
 } Split;
 
 typedef struct {
-    uint64_t key; /* combines node, group and environment; 0: the entry is empty */
+    uint64_t key; /* key of node, group and environment; 0: the entry is empty */
     MapValue answer;
     bool averaged; /* this map, or a map below, was averaged over the pixel */
 } Memo;
@@ -53,7 +53,7 @@ typedef struct {
     const Node *material;
     int number;    /* number of the material's environment */
     bool averaged; /* the value depends on a mean over the pixel, as in Memo */
-    Ref value;     /* 0: the slot has not been lowered yet */
+    Ref value;     /* value of the slot; 0: the slot has not been lowered yet */
 } SlotValue;
 
 typedef struct {
@@ -63,8 +63,8 @@ typedef struct {
 /* UV transform chain: the product of nested UVTransforms, applied to slopes. */
 typedef struct {
     bool known;
-    int count;             /* number of transforms */
-    const Node *transform; /* the transform, if count is 1 */
+    int count;             /* number of transforms in the chain */
+    const Node *transform; /* the only transform, if `count` is 1 */
     Slopes column[2];      /* valid if count > 1: images of (1, 0) and (0, 1) */
 } UvTransformChain;
 
@@ -109,7 +109,7 @@ typedef struct {
     const Node *map;     /* the map that is being lowered */
     MapList averageable; /* maps that --aa=auto may average; budget.c */
     int averaged_below;  /* maps of a lower index in the document are averaged */
-    bool averaged;       /* the current map, or one below, was averaged */
+    bool averaged;       /* the current map, or a map below, was averaged */
     /* Current nesting of alternatives that are likely to become a branch. */
     int arms;
     bool relief;                    /* set within a displacement of --derivatives=auto; bump.c */

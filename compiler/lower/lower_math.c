@@ -113,7 +113,7 @@ MapValue lower_Remap(Lower *l, const Node *node, Group group, const Env *env)
     Ref to_low = number(l, node, P_Remap_toLow, env),
         to_high = number(l, node, P_Remap_toHigh, env);
     Ref width = build_sub(ir, high, low), rise = build_sub(ir, to_high, to_low);
-    /* 0 where the width is 0 */
+    /* the rate is 0 where the width is 0 */
     Ref rate = lower_term(l, TERM_divide, (const Ref[TERM_MAX_ARGUMENTS]){rise, width});
     return given(l, line(l, x, low, (const Ref[]){rate, to_low}), group);
 }

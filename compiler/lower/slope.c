@@ -11,7 +11,7 @@
 #include <string.h>
 
 enum { UNKNOWN = 0, COMPONENT_OPERANDS = 3 };
-static const Ref FLAT = UINT32_MAX; /* memo entry: constant along the direction */
+static const Ref FLAT = UINT32_MAX; /* memo entry of a value that is constant along the direction */
 
 static Ref *memo_of(Lower *l, Ref value, Direction direction)
 {

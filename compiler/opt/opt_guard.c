@@ -15,7 +15,7 @@
 #include "compiler/opt/opt.h"
 
 enum {
-    WORTH_A_BRANCH = 40, /* scalar operations */
+    WORTH_A_BRANCH = 40, /* min cost of a branch in scalar operations */
     /* Payload of a dead guard; its hash is not updated, since no more guards are created. */
     DEAD = 2,
 };

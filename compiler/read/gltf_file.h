@@ -19,7 +19,7 @@ typedef struct GltfBeside GltfBeside;
 typedef struct {
     GltfFile **at;
     size_t count, capacity;
-    Names paths; /* paths of `at` */
+    Names paths; /* paths of the files in `at` */
     GltfBeside *beside;
     size_t beside_count, beside_capacity;
     Names beside_paths;

@@ -64,7 +64,7 @@ bool resolve_is_srgb(const Resolver *r, uint32_t file);
 void resolve_advise_colors(Resolver *r, Span span, const char *hex, const double *components);
 /* Resolves a wave; *wave is NULL for null. resolve_wave.c */
 bool resolve_wave(Resolver *r, Tree *tree, const Wave **wave);
-/* resolve_transform.c */
+/* Resolves a transform. resolve_transform.c */
 bool resolve_transform(Resolver *r, Tree *tree, Transform *transform);
 
 /* Resolves an Expression's formula and the maps that the formula reads, into its parameters.

@@ -152,7 +152,8 @@ static bool find_named(Copy *c, const Tree *formula, bool named[LIMIT_DEFINITION
             continue;
         any = named[found] = true;
     }
-    c->r->copied += formula->count / sizeof(Tree); /* a long text costs as much as many values */
+    /* counts the formula's steps, since a long text costs as much as many values */
+    c->r->copied += formula->count / sizeof(Tree);
     return any;
 }
 

@@ -154,7 +154,7 @@ bool resolve_leaf(Resolver *r, const ParamRow *row, Tree *tree, Value *value)
         return resolve_bool(r, row, tree, value);
     case PARAM_Image:
         return resolve_image(r, row, tree, value);
-    case PARAM_Formula: /* resolved together with its maps */
+    case PARAM_Formula: /* a formula is resolved together with its maps */
         return true;
     case PARAM_Wave:
         value->kind = VALUE_wave;

@@ -17,10 +17,10 @@ typedef enum {
 } ParameterType;
 
 typedef struct {
-    const Member *member; /* the member of `params:` */
+    const Member *member; /* member of `params:` that declares the parameter */
     ParameterType type;
-    Tree *init;             /* default; NULL: every use must give an argument */
-    const Tree *low, *high; /* min and max: numbers, or NULL */
+    Tree *init;             /* default value; NULL: every use must give an argument */
+    const Tree *low, *high; /* numbers of the keys `min` and `max`; NULL: missing */
 } Parameter;
 
 /* Returns the name of a type. */

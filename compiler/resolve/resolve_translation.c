@@ -281,7 +281,7 @@ const Node *resolve_translate(Resolver *r, Node of)
             *value = as_number(*value);
         fine &= value->kind != VALUE_none || !param_table[rule->to].components;
     }
-    lint_units(r->session, &of); /* checked in the author's units */
+    lint_units(r->session, &of); /* checks values in the author's units */
     report_losses(&s);
     of.written = of.kind;
     of.kind = KIND_Principled;

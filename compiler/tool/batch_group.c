@@ -61,7 +61,7 @@ static int find_members(BatchProgram *program)
         if (is_same(program, offsets[i], components))
             continue;
         Key key = column_key(program, offsets[i], components);
-        key.low ^= (uint64_t)kind; /* distinguishes a word from a float */
+        key.low ^= (uint64_t)kind; /* makes the keys of a word and a float differ */
         int column = key_set_add(&columns, key, &added);
         if (added)
             place_of[column] = i;

@@ -24,7 +24,7 @@ typedef struct {
 
 typedef struct {
     const char *path;
-    char *text; /* kept while the document and its materials are compiled */
+    char *text; /* text of the document, kept while the document and its materials are compiled */
     size_t size;
     /* Hash of everything that determines its materials' programs, except included files. */
     Key key;
@@ -36,23 +36,25 @@ typedef struct {
     char **depends; /* the document and its included files */
     int depend_count;
     MatcRanges *ranges; /* set with --layout=auto, while the document is open */
-    bool stored;        /* loaded from the cache */
+    bool stored;        /* the document was loaded from the cache */
     /* Diagnostics were printed, so the document is not cached: a cached run would print none. */
     bool spoke;
     bool unreadable; /* reading failed, which was reported */
-    bool once;       /* a pipe, which can be read only once: its text is kept */
+    bool once;       /* the input is a pipe, which can be read only once: its text is kept */
     Bytes reported;  /* diagnostics of the document */
     bool closed;
-    int *again, again_count; /* programs to be rewritten for its materials, once all are known */
-    pthread_mutex_t mutex;   /* guards `parsed` */
+    /* programs to be rewritten for the document's materials, once all are known */
+    int *again, again_count;
+    pthread_mutex_t mutex; /* guards `parsed` */
 } BatchDocument;
 
 typedef struct {
-    Unit *first, *last; /* linked list of its materials; the first one names the program */
+    /* linked list of the program's materials; the first one names the program */
+    Unit *first, *last;
     int unit_count;
     /* per place: the member that replaces the number; NULL: all numbers are literals */
     int *members;
-    char *name; /* name of its files without suffix */
+    char *name; /* name of the program's files without suffix */
 } BatchProgram;
 
 /* A program to be written: of a unit, with the numbers at `members` from a uniform block (NULL:
@@ -64,13 +66,13 @@ typedef struct {
 } BatchEdition;
 
 typedef struct {
-    const char *base, *suffix; /* the parts of its name */
+    const char *base, *suffix; /* parts of the program's name */
 } BatchFile;
 
 typedef struct {
     const CommandLine *line;
     const BatchCalls *calls;
-    const char *requests[MAX_PASSES]; /* requested passes */
+    const char *requests[MAX_PASSES]; /* names of the requested passes */
     int request_count;
     Numbers numbers;
     unsigned outputs; /* MatcOutput flags of a program */
@@ -80,11 +82,11 @@ typedef struct {
     BatchProgram *programs;
     int program_count;
     MatcRanges ranges;  /* joined ranges of all documents, with --layout=auto */
-    MatcLayout *layout; /* automatic layout, or NULL */
+    MatcLayout *layout; /* automatic layout; NULL: none */
     Outputs folders;    /* all output folders of the run */
     /* Stagings of the folder and of --textures, possibly the same; NULL: none. */
     Staging *staging, *textures;
-    MatcLinked *linked;    /* shared by all options */
+    MatcLinked *linked;    /* programs that share their text, for all options */
     Cache *cache;          /* the cache; NULL: disabled */
     pthread_mutex_t mutex; /* guards the members below */
     /* Input files in the output folder, by their names there. */
@@ -96,7 +98,7 @@ typedef struct {
      * diagnostics were printed. */
     int closed, reported;
     Bytes general;     /* diagnostics that concern no document */
-    atomic_bool fault; /* read by any thread */
+    atomic_bool fault; /* a fault occurred; any thread reads the flag */
 } Batch;
 
 /* -- batch_report.c */
@@ -143,7 +145,7 @@ void batch_spare_inputs(Batch *batch);
 bool batch_reads(const Batch *batch, const char *name);
 
 /* -- batch_layout.c */
-void batch_make_layout(Batch *batch); /* used with --layout=auto */
+void batch_make_layout(Batch *batch); /* Makes the layout for --layout=auto. */
 /* Writes the files that all programs share: the unpacking GLSL, and the layout itself. */
 void batch_write_layout(Batch *batch);
 /* Returns the layout cases that the materials write, 1 << case; 0: all are read back. */

@@ -30,7 +30,7 @@ struct Cache {
     atomic_uint_fast64_t hits, misses, damaged, failed, written;
     /* Estimated bytes in the folder. */
     atomic_uint_fast64_t total;
-    /* errno of the first failure, 0: none. */
+    /* errno of the first failure; 0: no failure */
     atomic_int trouble;
     atomic_flag trimming; /* a thread is trimming; stays set if trimming does not help */
 };
@@ -63,7 +63,7 @@ static bool make_folders(const char *path)
         memory_exhausted();
     for (char *slash = strchr(copy + 1, '/'); slash; slash = strchr(slash + 1, '/')) {
         *slash = 0;
-        mkdir(copy, PASSABLE); /* a failure shows at the last folder */
+        mkdir(copy, PASSABLE); /* ignores failures, which show at the last folder */
         *slash = '/';
     }
     free(copy);
@@ -80,7 +80,7 @@ static void put_tag(int folder)
     if (file < 0)
         return;
     ssize_t put = write(file, text, sizeof text - 1);
-    (void)put; /* a full disk shows soon enough */
+    (void)put; /* ignores failures: a full disk shows soon enough */
     close(file);
 }
 
@@ -263,7 +263,8 @@ static void settle(Cache *cache)
     if (!large && now - sums.scanned < CACHE_SCAN_AFTER)
         return;
     if (!cache_trim(cache->folder, cache->limit, &done)) {
-        cache->total = cache_trimmed(cache->limit); /* another process is trimming */
+        /* takes the size that another, trimming process left */
+        cache->total = cache_trimmed(cache->limit);
         return;
     }
     cache_count(cache->folder,

@@ -84,7 +84,7 @@ static int use_layout(CommandLine *line)
 {
     char *fault;
     if (line->folder && line->compile.layout && !strcmp(line->compile.layout, "auto"))
-        return EXIT_OK; /* the batch derives it from its materials */
+        return EXIT_OK; /* the batch derives the layout from its materials */
     MatcLayout *layout = layout_open(line, &fault);
     if (fault)
         main_fault(line, fault);
@@ -159,7 +159,7 @@ static int print_list(CommandLine *line)
                   options_fault_list(&line->words, kind));
 }
 
-/* Returns the argument of `--list=` or `--schema=`, or NULL. */
+/* Returns the argument of `--list=` or `--schema=`; NULL: none. */
 static const char *word_asked(const CommandLine *line)
 {
     const char *given = line->schema ? line->schema : line->list;

@@ -22,11 +22,12 @@ typedef struct {
 enum { UNIT_WORDS = 4, MAX_UNIT_FILES = 4 /* max cached programs, newest first */ };
 
 typedef struct Unit {
-    Key key, shape;      /* keys of the program: matc_key and matc_shape */
-    int pass;            /* pass of the program: depth for an opaque material's shadow */
-    int layout_case;     /* layout case that it writes; -1: none */
-    int count;           /* numbers that may be in a uniform block: places, or members already */
-    uint8_t *components; /* components of each: 1 to 4 floats; plus UNIT_WORDS for words */
+    Key key, shape;  /* keys of the program: matc_key and matc_shape */
+    int pass;        /* pass of the program: depth for an opaque material's shadow */
+    int layout_case; /* layout case that the program writes; -1: none */
+    /* number of values that may be in a uniform block: places, or members already */
+    int count;
+    uint8_t *components; /* components of each value: 1 to 4 floats; plus UNIT_WORDS for words */
     uint32_t *bits;      /* all components in sequence: bits of floats, or plain words */
     int bit_count;
     /* Members of the manifest's JSON: uniforms and textures, each preceded by ", ". */
@@ -37,7 +38,7 @@ typedef struct Unit {
     Written *written;                /* NULL: its program was not written for this material */
     struct Unit *next;               /* next unit of the program, in the order of the inputs */
     int program;                     /* index of the program, set last */
-    int document, material, request; /* request: index of the requested pass */
+    int document, material, request; /* `request` is the index of the requested pass */
 } Unit;
 
 /* Returns the number of the pass whose program it is. */

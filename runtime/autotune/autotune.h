@@ -19,7 +19,7 @@ typedef struct {
     double nanoseconds;
     /* error after packing into the layout and unpacking; NaN: slot not in the layout */
     Distance packed[SLOT_COUNT];
-    Distance computed[SLOT_COUNT]; /* pass value in floats, against the reference */
+    Distance computed[SLOT_COUNT]; /* error of pass value in floats, against the reference */
     /* pass value sampled at pixel centers, against the supersampled picture; NaN for normals */
     Distance aliased[SLOT_COUNT];
     double error;     /* max of packed[].maximum */
@@ -47,8 +47,8 @@ typedef struct {
     double range;               /* coordinates of the points are in [-range, range] */
     /* Units of u and v per length unit of the plane that is drawn for aliasing and timing; 0: 1. */
     double scale;
-    double seconds; /* approximate time budget */
-    bool aliasing;  /* measure aliasing, too */
+    double seconds; /* approximate time budget in seconds */
+    bool aliasing;  /* also measure aliasing */
     void (*progress)(void *user, int done, int total);
     void *user;
 } AutotuneRequest;

@@ -112,7 +112,7 @@ GLuint frame_texture(const Renderer *renderer, FrameTarget target, int texture)
     return renderer->targets.textures[target][texture];
 }
 
-/* Color target of each framebuffer, and its depth target or -1. */
+/* Color target of each framebuffer, and its depth target; -1: none. */
 static const struct {
     FrameTarget color;
     int depth;

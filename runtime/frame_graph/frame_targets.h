@@ -12,8 +12,8 @@ typedef enum {
     FRAME_TARGET_traced,
     FRAME_TARGET_shadow,      /* shadow maps, of their own sizes: pass_shadow.c owns them */
     FRAME_TARGET_voxels,      /* voxel grid, of its own size: pass_voxels.c owns it */
-    FRAME_TARGET_cubes,       /* view of the voxels */
-    FRAME_TARGET_positions,   /* view of the depth buffer as a mesh */
+    FRAME_TARGET_cubes,       /* picture of the voxels, a debug view */
+    FRAME_TARGET_positions,   /* picture of the depth buffer as a mesh, a debug view */
     FRAME_TARGET_radiance,    /* radiance cache, in buffers: pass_radiance.c owns them */
     FRAME_TARGET_triangle_id, /* triangle ids, or slopes of triangles */
     FRAME_TARGET_lists,       /* per-pixel linked lists, in a buffer */
@@ -21,13 +21,13 @@ typedef enum {
     FRAME_TARGET_light,
     FRAME_TARGET_rays,     /* ambient occlusion at the resolution of the rays */
     FRAME_TARGET_temporal, /* temporal accumulation: pass_temporal.c owns its textures */
-    FRAME_TARGET_denoise,  /* denoised along rows */
+    FRAME_TARGET_denoise,  /* results of the rays, denoised along rows */
     FRAME_TARGET_ao,       /* ambient occlusion and indirect light */
     FRAME_TARGET_edge,
     FRAME_TARGET_mask,  /* a bit per light with shadow volumes: set where it is occluded */
     FRAME_TARGET_layer, /* G-buffer of one layer of transparent fragments */
     FRAME_TARGET_layer_depth,
-    FRAME_TARGET_layer_keys, /* sort keys of two layers */
+    FRAME_TARGET_layer_keys, /* depth peeling: sort keys of two layers */
     FRAME_TARGET_tools,      /* colors of the tools, dimmed by the surfaces before them */
     FRAME_TARGET_final,
     FRAME_TARGET_COUNT
@@ -37,8 +37,8 @@ typedef enum {
 typedef enum {
     FRAME_DRAW_surface,     /* G-buffer and depth */
     FRAME_DRAW_triangle_id, /* G-buffer, depth and triangle ids */
-    FRAME_DRAW_traced,      /* ray-marched hits and depth */
-    FRAME_DRAW_sky,         /* light and depth */
+    FRAME_DRAW_traced,      /* framebuffer of ray-marched hits and depth */
+    FRAME_DRAW_sky,         /* framebuffer of light and depth */
     FRAME_DRAW_cubes,
     FRAME_DRAW_positions,
     FRAME_DRAW_light,

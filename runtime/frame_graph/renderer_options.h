@@ -27,7 +27,7 @@ typedef struct {
      * "volumeWireframeAlone" omit the objects. */
     const char *view;
     int width, height; /* size of the picture; 0: the scene's size */
-    int samples;       /* n: a pixel is the mean of n x n samples, taken in linear light; 0: 1 */
+    int samples;       /* n: each pixel is the mean of n x n samples, taken in linear light; 0: 1 */
     /* light is stored as 32-bit floats, the picture with 16 bits per component */
     bool deep;
     /* The picture is linear radiance, without exposure, tone mapping or an upper limit. */

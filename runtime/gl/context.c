@@ -209,6 +209,6 @@ bool gl_check(GlContext *gl, const char *doing)
     if (first == GL_NO_ERROR)
         return true;
     for (int i = 0; i < 16 && gl->GetError() != GL_NO_ERROR; i++) {
-    } /* bounded: a lost context reports errors forever */
+    } /* limits the number of reads: a lost context reports errors forever */
     return gl_fail(gl, "%s: %s", doing, error_name(first));
 }

@@ -12,7 +12,7 @@ typedef enum {
     /* EGL without a window, on a GPU if available; loaded on first use */
     GL_KIND_egl,
     GL_KIND_count,
-    GL_KIND_host = GL_KIND_count /* adopted from the caller: gl_adopt() */
+    GL_KIND_host = GL_KIND_count /* context adopted from the caller: gl_adopt() */
 } GlKind;
 
 /* A context that the caller made and that is current. */
@@ -29,7 +29,7 @@ typedef struct GlContext {
     bool core;
     int major, minor;      /* GL version */
     const char *version;   /* GL_VERSION; the driver's text */
-    const char *renderer;  /* GL_RENDERER */
+    const char *renderer;  /* string of GL_RENDERER */
     const char *language;  /* GL_SHADING_LANGUAGE_VERSION: the highest one */
     bool hardware;         /* the renderer is not one of Mesa's software renderers */
     int max_texture_size;  /* max edge of a texture or framebuffer, in texels */

@@ -37,7 +37,7 @@ void mesh_point_attributes(const GlContext *gl)
 {
     for (GLuint i = 0; i < MESH_ATTRIBUTE_end; i++) {
         if (!attributes[i].components)
-            continue; /* the instance's number: mesh_attach() */
+            continue; /* mesh_attach() sets the instance's number */
         gl->EnableVertexAttribArray(i);
         /* GL takes offsets as pointers */
         gl->VertexAttribPointer(i, attributes[i].components, GL_FLOAT, GL_FALSE,

@@ -12,7 +12,7 @@ enum {
     MESH_ATTRIBUTE_tangentU,
     MESH_ATTRIBUTE_tangentV,
     MESH_ATTRIBUTE_count,
-    MESH_ATTRIBUTE_instance = MESH_ATTRIBUTE_count, /* an integer per instance */
+    MESH_ATTRIBUTE_instance = MESH_ATTRIBUTE_count, /* attribute of an integer per instance */
     /* Attributes for displacement: as the four above, but equal for all vertices at one
      * position. */
     MESH_ATTRIBUTE_displacementNormal,
@@ -29,9 +29,10 @@ enum {
 extern const char *const mesh_attribute_names[MESH_ATTRIBUTE_end];
 
 typedef struct {
-    GLuint array;                /* vertex array */
-    GLuint buffers[3];           /* vertices, indices, base positions if they differ */
-    GLuint extras[SHAPE_EXTRAS]; /* four components per vertex; 0: the shape has none */
+    GLuint array; /* vertex array of GL */
+    /* buffers of vertices, indices, and base positions if they differ */
+    GLuint buffers[3];
+    GLuint extras[SHAPE_EXTRAS]; /* buffers of four components per vertex; 0: the shape has none */
     ShapeNames names;            /* names of the extras */
     GLsizei index_count;
     ShapeBody body; /* class of the mesh: open, closed or solid */

@@ -78,7 +78,7 @@ static bool link(GlContext *gl, GLuint program)
 }
 
 typedef struct {
-    GLuint at[5]; /* 0: unused */
+    GLuint at[5]; /* shader objects; 0: unused */
     int count;
 } Shaders;
 

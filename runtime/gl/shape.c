@@ -56,7 +56,7 @@ static void plane(int patch, double u, double v, ShapeVertex *vertex)
 static void cube(int patch, double u, double v, ShapeVertex *vertex)
 {
     static const signed char faces[6][3][3] = {
-        /* n, a, b */
+        /* per face: normal n, axes a and b */
         {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},  {{-1, 0, 0}, {0, -1, 0}, {0, 0, 1}},
         {{0, 1, 0}, {-1, 0, 0}, {0, 0, 1}}, {{0, -1, 0}, {1, 0, 0}, {0, 0, 1}},
         {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}},  {{0, 0, -1}, {1, 0, 0}, {0, -1, 0}},
@@ -113,7 +113,7 @@ static const struct {
     const char *name;
     Surface *surface;
     int patches;
-    int columns, rows; /* cells of a patch */
+    int columns, rows; /* number of cells of a patch */
 } kinds[SHAPE_count] = {
     [SHAPE_sphere] = {"sphere", sphere, 1, 192, 96}, [SHAPE_plane] = {"plane", plane, 1, 1, 1},
     [SHAPE_cube] = {"cube", cube, 6, 1, 1},          [SHAPE_torus] = {"torus", torus, 1, 192, 96},

@@ -17,16 +17,17 @@ typedef enum {
     SHAPE_torus,
     /* A curtain with folds, [-1, 1] along x and z; u along x, v upwards, v = 1 at the upper hem. */
     SHAPE_cloth,
-    SHAPE_ground, /* z = 0 up to the horizon, facing up; u and v extend those of the plane */
+    /* plane z = 0 up to the horizon, facing up; u and v extend those of SHAPE_plane */
+    SHAPE_ground,
     SHAPE_count
 } ShapeKind;
 
 typedef struct {
     float position[3];
-    float normal[3]; /* unit length */
+    float normal[3]; /* unit normal */
     float uv[2];
     float tangentU[3]; /* dP/du: not normalized, zero at the sphere's poles */
-    float tangentV[3]; /* dP/dv */
+    float tangentV[3]; /* dP/dv: not normalized */
 } ShapeVertex;
 
 /* Extra attributes of a mesh that materials can read, if the file has them: two that any glTF
@@ -38,11 +39,11 @@ typedef enum {
     SHAPE_EXTRA_named,
     SHAPE_EXTRAS = SHAPE_EXTRA_named + SHAPE_NAMED
 } ShapeExtra;
-typedef char ShapeNames[SHAPE_NAMED][SHAPE_NAME]; /* lowercase; "": none */
+typedef char ShapeNames[SHAPE_NAMED][SHAPE_NAME]; /* names in lowercase; "": none */
 
 typedef struct {
     ShapeVertex *vertices;
-    uint32_t *indices; /* triangles */
+    uint32_t *indices; /* three indices per triangle */
     int vertex_count, index_count;
     /* Indexed by vertex: position before displacement; NULL: the shape is not displaced. */
     float (*base)[3];

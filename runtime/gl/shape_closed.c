@@ -75,7 +75,7 @@ static bool join_places(const Shape *shape, Parts *parts)
     size_t mask = 1;
     while (mask < 2 * (size_t)shape->vertex_count)
         mask = 2 * mask + 1;
-    int *firsts = calloc(mask + 1, sizeof *firsts); /* index + 1 */
+    int *firsts = calloc(mask + 1, sizeof *firsts); /* hash table of index + 1; 0: free */
     for (int i = 0; firsts && i < shape->vertex_count; i++) {
         size_t slot = parts->places[i] & mask;
         while (firsts[slot] && parts->places[firsts[slot] - 1] != parts->places[i])

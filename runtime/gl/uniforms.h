@@ -7,9 +7,9 @@
 typedef struct {
     char *name;
     GLenum type;
-    int components; /* 1-4; 9 and 16 for a matrix */
+    int components; /* number of components: 1 to 4; 9 and 16 for a matrix */
     GLint location; /* location of a plain uniform; -1 for a member of a block */
-    int block;      /* index of the member's block, or -1 */
+    int block;      /* index of the member's block; -1: none */
     int offset;     /* offset of a member in its block, in bytes */
     int stride;     /* stride between columns of a matrix, in bytes */
 } GlUniform;
@@ -24,7 +24,8 @@ typedef struct {
     int view;
 } GlUniforms;
 
-enum { UNIFORMS_VIEW = 16 }; /* programs have fewer blocks of their own */
+/* binding point of the block View; programs have fewer blocks of their own */
+enum { UNIFORMS_VIEW = 16 };
 
 /* Reads the active uniforms, and assigns binding points to blocks. Returns false on failure,
  * with *found empty; see gl->error. */

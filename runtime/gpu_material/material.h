@@ -12,14 +12,14 @@ enum { MATERIAL_TEXTURES = 32 };
 /* Value of a uniform, converted to the uniform's type (uniforms.h). */
 typedef struct {
     const char *name;
-    int components; /* 1-4; 9 and 16 for a matrix, by columns */
+    int components; /* number of components: 1 to 4; 9 and 16 for a matrix, by columns */
     const float *values;
 } MaterialValue;
 
 typedef struct {
     Store *store;
-    const StoreItem *program;                     /* shared with other materials */
-    const StoreItem *textures[MATERIAL_TEXTURES]; /* shared; texture i is on unit i */
+    const StoreItem *program;                     /* program, shared with other materials */
+    const StoreItem *textures[MATERIAL_TEXTURES]; /* shared textures; texture i is on unit i */
     int texture_count;
     /* Values of this material for the plain uniforms in program->uniforms, initially 0. */
     float (*values)[16];

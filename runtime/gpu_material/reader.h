@@ -6,7 +6,7 @@
 
 typedef struct {
     const char *unpack; /* MATC_UNPACK; needed only during reader_make() */
-    Target target;      /* the GLSL version of `unpack` */
+    Target target;      /* GLSL version of `unpack` */
     const LayoutRow *layout;
     int width, height; /* size of the G-buffer */
 } ReaderSource;

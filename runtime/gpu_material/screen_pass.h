@@ -16,7 +16,8 @@ typedef struct {
     bool compute;                         /* use a compute program; needs GL 4.3 */
     /* The body is passOver(): its result is blended over the target. */
     bool over;
-    int block; /* edge in pixels of the body's own compute entry point, or 0 */
+    /* edge of a workgroup in pixels if the body has its own compute entry point; 0: it has none */
+    int block;
 } ScreenPassText;
 /* Append a piece of GLSL to the body; NULL and "" are ignored. The capacity must suffice. */
 void screen_pass_add(ScreenPassText *text, const char *piece);
@@ -26,7 +27,7 @@ typedef struct {
     Material material;
     bool compute, over;
     int block;  /* edge in pixels of the square that a work group draws */
-    int layers; /* work groups per square: 1 by default */
+    int layers; /* work groups per square; 1 by default */
     GLenum format;
 } ScreenPass;
 

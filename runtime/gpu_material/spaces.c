@@ -47,7 +47,7 @@ static Mat4 find_world_from_clip(const Spaces *spaces, const Mat4 *depth_from_wo
         result.m[8 + i] = 0;
         result.m[12 + i] = spaces->rays[1][i];
     }
-    result.m[11] = 1; /* infinitely far ahead: no position */
+    result.m[11] = 1; /* the point is infinitely far ahead and has no position */
     result.m[15] = 0;
     return result;
 }

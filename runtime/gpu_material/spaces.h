@@ -6,10 +6,11 @@
 
 typedef struct {
     Mat4 world_from_local, eye_from_world, clip_from_eye;
-    float origin[3];   /* origin in world space of all positions here */
-    float eye[3];      /* position in world space */
-    float viewer[4];   /* the eye and 1, or, for parallel rays, the direction to it and 0 */
-    float time;        /* seconds */
+    float origin[3]; /* origin in world space of all positions here */
+    float eye[3];    /* position of the eye in world space */
+    /* perspective: the eye, and 1; parallel rays: the direction to the eye, and 0 */
+    float viewer[4];
+    float time;        /* time in seconds */
     float object;      /* the object's random number, in [0, 1) */
     float plane[3][3]; /* mapping of the pass plane: origin, step of u, step of v */
     /* Rays are parallel: the pass plane draws the rays of `rays` instead. */

@@ -18,7 +18,7 @@ typedef struct Store Store;
 /* A program or a texture. */
 typedef struct {
     GLuint name;
-    GlUniforms uniforms;    /* programs only */
+    GlUniforms uniforms;    /* set for programs only */
     struct StoreHeld *held; /* programs only: last uploaded value of each uniform */
 } StoreItem;
 

@@ -14,7 +14,7 @@ static const float alike = 0.999f;
 typedef struct {
     const Shape *shape;
     HashIndex positions, sides;
-    double scale;      /* cells per unit */
+    double scale;      /* cells per unit of length */
     int *place;        /* indexed by vertex: the first vertex at the same position */
     uint32_t (*of)[2]; /* indexed by edge: the end vertices in the edge's first face */
     uint8_t *faces;    /* indexed by edge: number of faces */

@@ -16,7 +16,7 @@ typedef struct {
 typedef struct {
     MeshEdge *edges;
     int count;
-    bool solid;             /* closed, with front faces outside */
+    bool solid;             /* the mesh is closed, with front faces outside */
     double low[3], high[3]; /* bounding box */
 } EdgeMesh;
 

@@ -38,7 +38,7 @@ typedef struct {
     int *used_as[GPU_SCENE_USES];
 } Maker;
 
-/* Returns the element's number, or -1. */
+/* Returns the element's number; -1: none. */
 static int find(const Known *known, Key key)
 {
     HashProbe probe = hash_probe(&known->index, (uint32_t)key.low);
@@ -384,7 +384,8 @@ bool gpu_scene_make(Store *store, const GpuSceneSource *source, GpuScene *before
     triangle_id_text_make(maker.gl, source->set, source->written, &maker.seen);
     const bool done = make_capacity(&maker) && add_objects(&maker) && make_sky(&maker) &&
                       make_buffers(&maker) && gpu_scene_arrange(maker.gl, source, made);
-    made->displaced_rebuilt = false; /* all passes are built after this */
+    /* all passes are built after this, so the first tessellation is no change */
+    made->displaced_rebuilt = false;
     forget(&maker);
     if (!done)
         gpu_scene_delete(maker.gl, made);

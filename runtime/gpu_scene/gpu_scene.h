@@ -48,7 +48,7 @@ typedef struct {
     int cut;
     GLuint program;
     bool transparent, mirrored;
-    const float *even; /* transmittance if constant, three components; else NULL */
+    const float *even; /* transmittance with three components if constant; else NULL */
 } GpuScenePlace;
 
 typedef struct {
@@ -85,7 +85,7 @@ typedef struct {
     /* Indexed by kind: program that shades ray-marched surfaces (gpu_scene_trace.h); empty if
      * the kind has none. */
     Material *traced;
-    bool tracing; /* some kind has such a program */
+    bool tracing; /* some kind has a program in `traced` */
     /* A displaced mesh has been tessellated again; readers reset the flag. */
     bool displaced_rebuilt;
     int mesh_count;
@@ -104,7 +104,7 @@ typedef struct {
     /* Indices of places, in three parts: all, those in the camera's view, those in a light's
      * view. The buffer `words` has the same contents. */
     uint32_t *list;
-    uint32_t *seen_list; /* the second part, as last written to the buffer */
+    uint32_t *seen_list; /* the second part of `list`, as last written to the buffer */
     int seen;
     GpuSceneOrder *order; /* scratch memory for sorting places */
     uint32_t *cast_order; /* places of shadow casters, sorted by caster and mesh */
@@ -117,8 +117,8 @@ typedef struct {
     const Scene *scene;
     const MaterialSet *set;
     const ViewSpace *space;
-    const CullVolume *volume;   /* the frustum; NULL disables culling */
-    const CullVolume *view;     /* the camera's frustum, also if culling is disabled */
+    const CullVolume *volume;   /* frustum for culling; NULL disables culling */
+    const CullVolume *view;     /* the camera's frustum, even if culling is disabled */
     const int *size;            /* size of the picture, in pixels */
     const int *at;              /* first pixel of the tile */
     const MatcOptions *compile; /* compile options for programs that displace */
@@ -126,7 +126,7 @@ typedef struct {
     bool triangles;
     /* Only the camera and shadow maps read the scene: no rays, no other shadows. */
     bool alone;
-    bool casts; /* shadow maps exist */
+    bool casts; /* the scene has shadow maps */
     Transparency transparency;
     const TriangleIdText *written; /* outputs of opaque surfaces in addition to the G-buffer */
     bool lines;                    /* surfaces are drawn as lines */
@@ -173,10 +173,10 @@ typedef struct {
 
 /* A light's view of the scene, for shadow maps and similar targets. */
 typedef struct {
-    const double *clip_from_world; /* 16, by columns */
+    const double *clip_from_world; /* matrix of 16 numbers, by columns */
     const CullVolume *volume;
     bool mirrored;   /* the projection flips the winding */
-    Material *solid; /* draws depth alone (shadow_depth.glsl) */
+    Material *solid; /* program that draws depth alone (shadow_depth.glsl) */
     /* Indexed by kind: replacement program for opaque surfaces (radiance.h); NULL: no
      * replacement. */
     Material *kept;

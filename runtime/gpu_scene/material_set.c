@@ -55,10 +55,10 @@ const LayoutRow *material_set_layout(const MaterialSet *set, const MatcOptions *
     for (int i = 0; compile_options->layout && i < LAYOUT_COUNT; i++)
         if (!strcmp(layout_table[i].name, compile_options->layout))
             return &layout_table[i];
-    return &layout_table[LAYOUT_compact]; /* the default layout of programs in GLSL 3.30 and 4.50 */
+    return &layout_table[LAYOUT_compact]; /* default layout of programs in GLSL 3.30 and 4.50 */
 }
 
-enum { MAX_MEMBERS = 1024 /* vec4 members of a buffer: every driver allows 16 KiB */ };
+enum { MAX_MEMBERS = 1024 /* max vec4 members of a buffer: every driver allows 16 KiB */ };
 
 typedef struct {
     GlContext *gl;
@@ -415,12 +415,12 @@ bool material_set_make(GlContext *gl, const Scene *scene, const MatcOptions *com
     Maker maker = {.gl = gl, .scene = scene, .options = *compile_options, .set = made};
     *made = (MaterialSet){.target = gl->major * 10 + gl->minor >= 45 ? "glsl450" : "glsl330",
                           .uses = uses};
-    maker.options.slot = "transparency"; /* the slot of the pass value */
+    maker.options.slot = "transparency"; /* slot that the pass value outputs */
     made->instances = !strcmp(made->target, "glsl450") && instances_supported(gl);
     maker.options.target = made->target;
     maker.options.instances = made->instances;
     maker.options.moved = scene->displaced > 0;
-    maker.options.validate = false; /* the driver validates */
+    maker.options.validate = false; /* the driver validates the programs */
     const bool fine = make(&maker);
     free(maker.last);
     if (fine)

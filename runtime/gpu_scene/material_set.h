@@ -35,7 +35,7 @@ typedef enum {
     SET_CASTS_none, /* transparent surfaces cast no shadows */
     /* Like opaque ones where they transmit at most half of the light; elsewhere not. */
     SET_CASTS_cut,
-    SET_CASTS_colored /* colored by their transmittance */
+    SET_CASTS_colored /* shadows are colored by the surfaces' transmittance */
 } MaterialSetCasts;
 
 /* Programs to make in addition to those that draw the picture. */

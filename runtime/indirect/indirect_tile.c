@@ -64,7 +64,7 @@ static bool is_whole(const Renderer *renderer)
 
 int indirect_margin(const Renderer *renderer)
 {
-    const double off = 2; /* rays begin off their pixel's center */
+    const double off = 2; /* max pixels between a ray's start and its pixel's center */
     const double reach = reach_of(renderer),
                  pixels = is_whole(renderer) ? INFINITY : pixels_of(renderer, reach);
     const double margin = ceil(pixels + (reach > 0 ? off : 0)) + pass_denoise_reach(renderer);

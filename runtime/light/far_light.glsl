@@ -5,7 +5,7 @@ layout(local_size_x = FAR_INVOCATIONS) in;
 // different memory banks
 const int GROUP = FAR_INVOCATIONS, PITCH = GROUP + 1;
 
-shared float far_group[GROUP_NUMBERS]; // the layout of pass_groups.glsl
+shared float far_group[GROUP_NUMBERS]; // numbers of a group in the layout of pass_groups.glsl
 
 int farCount() { return light_plain + light_points; }
 

@@ -41,7 +41,7 @@ struct Lobe {
 Lobe farLobe(Far far, Group group)
 {
     float q = far.ratio, nearer = 1.0 / (1.0 - q), k = group.exponent;
-    // cosine of the sum of the angles
+    // cosine of the sum of both angles
     float mirror = farCosines(group.mirror, sqrt(1.0 - q * q), q).x;
     vec2 cosines = farCosines(dot(far.way, group.view), mirror,
         sqrt(max(1.0 - mirror * mirror, 0.0)));

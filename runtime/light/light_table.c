@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { LEAST = 16 /* texels */ };
+enum { LEAST = 16 /* min size of the table in texels */ };
 
 /* Rounds up to a power of two, so that programs are shared by similar numbers of lights. */
 static int capacity_for(int texels)

@@ -63,7 +63,7 @@ void lighting_place(const Renderer *renderer, ScreenPass *pass);
 bool lighting_changed(Renderer *renderer, unsigned what, ScreenPass *pass);
 void lighting_moved(const Renderer *renderer, ScreenPass *pass);
 /* Runs a pass over the target light, once for each tile of shadow lists. The source has its
- * G-buffer and depth targets, and a texture of the pass itself, or 0. */
+ * G-buffer and depth targets, and a texture of the pass itself; 0: none. */
 typedef struct {
     FrameTarget surfaces, depth;
     GLuint own;

@@ -3,7 +3,7 @@
 const int PARTS = max(3 * PITCH, FAR_LIGHTS);
 
 shared float far_parts[PARTS];  // partial sums; later the lights' shares of the budget
-shared uint far_near[FAR_NEAR], far_linear[FAR_BITS]; // laid out by LightFarWords
+shared uint far_near[FAR_NEAR], far_linear[FAR_BITS]; // `far_near` has the layout of LightFarWords
 shared uint far_shares[32];     // histogram of the lights' shares of the budget
 
 // Lower bound of irradiance at each pixel of the group.

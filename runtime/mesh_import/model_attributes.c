@@ -27,10 +27,10 @@ typedef struct {
     GltfPlace place;
     const Tree *root;
     ModelAttributes *made;
-    size_t vertices; /* total of all primitives with such attributes */
+    size_t vertices; /* number of vertices of all primitives with such attributes */
     char *error;
     size_t capacity;
-    char where[PLACE]; /* "meshes/0/primitives/1" */
+    char where[PLACE]; /* path of the primitive for messages, such as "meshes/0/primitives/1" */
 } Reader;
 
 /* A validated accessor. */

@@ -7,7 +7,7 @@ typedef struct {
     /* Position in view space; w is 1 for lines in the world's plane z = 0, which get that
      * plane's depth. */
     float point[4];
-    float color[3]; /* linear sRGB */
+    float color[3]; /* color in linear sRGB */
 } ToolVertex;
 
 /* Two vertices per line. At intersections, earlier lines are in front. */

@@ -77,9 +77,9 @@ MATC_API int matc_scene_find_material(MatcScene *scene, const char *name);
  * coordinates, given or generated. */
 typedef struct {
     size_t size;            /* sizeof(MatcMesh), as the caller was compiled */
-    const float *positions; /* three per vertex, each below 1e18 */
-    const float *normals;   /* three per vertex; NULL: smoothed normals of the faces */
-    const float *texcoords; /* two per vertex; NULL: longitude and latitude */
+    const float *positions; /* three numbers per vertex, each below 1e18 */
+    const float *normals;   /* three numbers per vertex; NULL: smoothed normals of the faces */
+    const float *texcoords; /* two numbers per vertex; NULL: longitude and latitude */
     /* Three per triangle, counterclockwise from the front; NULL: each three vertices are a
      * triangle. */
     const unsigned *indices;

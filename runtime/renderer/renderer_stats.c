@@ -38,7 +38,7 @@ static const char *joined(Arena *arena, unsigned targets)
     return text.at;
 }
 
-/* Writes the table of passes; `times` of each pass, or NULL. */
+/* Writes the table of passes. `times` has the time of each pass; NULL: no times. */
 static void put_passes(Text *out, const Renderer *renderer, const RendererPassTime *times)
 {
     FramePlanRows made;

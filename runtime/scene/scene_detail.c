@@ -35,7 +35,7 @@ static void find_eyes(const Scene *scene, SceneDetail *detail)
 {
     const int wanted = scene->motion.frames > MIN_SAMPLES ? scene->motion.frames : MIN_SAMPLES,
               run = (wanted + SCENE_DETAIL_EYES - 1) / SCENE_DETAIL_EYES;
-    enum { PART = 64 }; /* max samples of a run */
+    enum { PART = 64 }; /* max samples in a run of the path */
     for (int eye = 0; eye < SCENE_DETAIL_EYES; eye++) {
         SceneDetailEye *made = &detail->eyes[detail->eye_count++];
         const int stride = (run + PART - 1) / PART;

@@ -16,9 +16,9 @@
 enum {
     /* max triangles of a scene that keeps full detail */
     SCENE_FINE_TRIANGLES = 1 << 19,
-    SCENE_HEAVY_TRIANGLES = 5000000, /* more triangles cause a warning */
+    SCENE_HEAVY_TRIANGLES = 5000000, /* number of triangles above which a warning is reported */
     SCENE_DETAIL_STEPS = 192,        /* steps of the finest level, the default of `detail` */
-    SCENE_DETAIL_LEVELS = 5,         /* 192, 96, 48, 24 and 12 steps */
+    SCENE_DETAIL_LEVELS = 5,         /* number of levels: 192, 96, 48, 24 and 12 steps */
     SCENE_DETAIL_EYES = 32           /* max bounding spheres of the camera's path */
 };
 #define SCENE_DETAIL_ERROR .125 /* max error of a coarser solid's silhouette, in pixels */

@@ -22,9 +22,9 @@ struct SceneDisplacer {
     MatcOptions options;
     Keyword method;     /* a KEYWORD_Displacing_... value, such as KEYWORD_Displacing_mesh */
     bool processor;     /* the GPU cannot displace */
-    SceneViewSet seen;  /* cameras, if subdivision depends on them */
+    SceneViewSet seen;  /* cameras on which subdivision depends, if any */
     MatcMoves *moves;   /* indexed by material */
-    SceneDetail detail; /* views, if detail depends on them */
+    SceneDetail detail; /* views on which detail depends, if any */
     SceneBall *balls;   /* bounding spheres of imported meshes */
     /* Indexed by material: max displacement, infinite if detail does not depend on the picture;
      * NULL: detail never does. */
@@ -36,7 +36,7 @@ struct SceneDisplacer {
     int vacant;       /* every mesh before this index is used */
     SceneDisplacedParam *params;
     int param_count;
-    int fault; /* the material to which `why` belongs */
+    int fault; /* index of the material to which `why` belongs */
     const char *why;
 };
 #endif

@@ -5,7 +5,7 @@
 #include "runtime/shadow/shadow.h"
 #include <stdlib.h>
 
-enum { NODE = 4 /* words of a node */ };
+enum { NODE = 4 /* words of a list node */ };
 
 bool shadow_glass_needed(const Renderer *renderer)
 {

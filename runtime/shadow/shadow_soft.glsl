@@ -33,7 +33,7 @@ struct Soft {
     vec3 eye;          // the surface point in eye space
     vec2 along_u, along_v;
     vec3 point, normal;
-    float pixel;  // a pixel's size at the point
+    float pixel;  // size of a pixel at the point
     bool through; // light from behind the surface counts, too (transmission)
     int layer;    // layer of the first point's map
     float near;   // near distance of all maps
@@ -117,7 +117,7 @@ bool softStands(Soft s, vec3 from, vec3 ray, float away, float limit)
 }
 
 // Returns the share of light that arrives along a ray from a point, considering occluders nearer
-// than `limit` of the ray; `along`: fraction of the ray at which an occluder is, or 0.
+// than `limit` of the ray. `along` is the fraction of the ray at which an occluder is; 0: none.
 SHARE softWayShare(Soft s, ivec2 point, vec3 way, float limit, out float along)
 {
     float away;
@@ -184,8 +184,9 @@ int softBit(SoftBits bits, int point)
 
 // Visibility of a light's points from a surface.
 struct SoftPoints {
-    SoftBits dim, dark;     // partly occluded, fully occluded
-    int asked, dims, darks; // numbers of points that are not behind the surface
+    SoftBits dim, dark;     // bits of points that are partly occluded, and fully occluded
+    // numbers of points that are not behind the surface: all, partly and fully occluded ones
+    int asked, dims, darks;
 };
 
 // Returns the share of a point's light that arrives; `along`: fraction of the ray at which the

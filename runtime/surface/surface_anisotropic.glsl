@@ -15,7 +15,7 @@
 
 #ifdef LIT_ANISOTROPY
 struct Anisotropy {
-    vec3 along, across; // orthogonal to each other and to the normal
+    vec3 along, across; // axes, orthogonal to each other and to the normal
     vec2 widths;
     // alpha and roughness of isotropic microfacets with the same mean width; ratio: k
     float alpha, rough, ratio;

@@ -42,7 +42,7 @@ typedef struct SceneBisection {
     uint32_t *ring, *waiting;
     size_t count, capacity, vertex_count, vertex_capacity, place_of_capacity, place_count,
         place_capacity, ring_capacity, waiting_capacity;
-    /* Called for each triangle that became two, or NULL. */
+    /* Called for each triangle that was bisected; NULL: no calls. */
     void (*divided)(void *user, uint32_t triangle, uint32_t made);
     void *user;
 } SceneBisection;

@@ -35,14 +35,15 @@ typedef struct {
     const char *contact, *shape, *mesh, *material, *viewpoint, *slot;
     /* Options for scenes only. */
     Frames frames;
-    /* list whose methods share one picture: "shadows", "indirect", "displacement"; or NULL */
+    /* list whose methods share one picture: "shadows", "indirect", "displacement"; NULL: no
+     * comparison */
     const char *compare;
     /* Shadow method and indirect light method that override the scene's; WORD_COUNT: keep
      * the scene's. */
     Keyword shadows, indirect;
 
     Arena words;               /* owns messages and strings built from arguments */
-    struct WatchList *watched; /* input files read so far; or NULL */
+    struct WatchList *watched; /* input files read so far; NULL: not watched */
 } Command;
 
 /* Parses the arguments. Returns NULL, or an error message. Call command_free in both cases. */

@@ -9,7 +9,8 @@ typedef struct {
     /* If no layout is named: the compiler's default layout, or "integer" if `slot` is set. */
     ScenePictureOptions pictures;
     PreviewOptions preview;
-    /* G-buffer slot that is shown instead of lighting; its SlotLook exists. Or NULL. */
+    /* G-buffer slot that is shown instead of lighting; its SlotLook exists. NULL: lighting is
+     * shown. */
     const char *slot;
     SceneTools tools;    /* overlays to draw */
     const Param *params; /* override the document's defaults */
@@ -20,7 +21,7 @@ typedef struct MaterialPictures MaterialPictures;
 
 /* Messages about a material's picture. */
 typedef struct {
-    char *diagnostics; /* compiler diagnostics, from malloc; or NULL */
+    char *diagnostics; /* compiler diagnostics, from malloc; NULL: none */
     char error[8192];  /* any other error, or "" */
 } MaterialReport;
 

@@ -87,7 +87,7 @@ static void show_rows(void *user, int done, int rows)
 typedef struct {
     const Command *command;
     GlContext *gl;
-    /* collects the pictures of materials for --contact; or NULL */
+    /* collects the pictures of materials for --contact; NULL: no --contact */
     ContactSheet *sheet;
     MaterialPictures *materials; /* opened at the first material */
     const Shape *mesh;           /* imported mesh; NULL: a solid */

@@ -19,7 +19,7 @@ typedef struct {
 } ScenePictureOptions;
 
 typedef struct {
-    char *words;        /* requested statistics or graph, from malloc; or NULL */
+    char *words;        /* requested statistics or graph, from malloc; NULL: none */
     const char *faulty; /* the path if the file could not be written, else NULL */
 } ScenePicture;
 

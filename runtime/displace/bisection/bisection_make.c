@@ -16,7 +16,7 @@ enum {
     /* at most 2^6 parts per triangle: leaves coarser than that are always bisected */
     PARTS_MAX = 6,
     PLACE_BITS = 24, /* bits of a leaf's slot in the table */
-    RANGE_PARTS = 4  /* ranges are stored down to triangles of 2^4 such parts */
+    RANGE_PARTS = 4  /* ranges are stored down to triangles of 2^4 parts */
 };
 
 _Static_assert(sizeof(MeshCaptured) == BISECTION_ROW * sizeof(float),

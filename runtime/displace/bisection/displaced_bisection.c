@@ -235,7 +235,7 @@ static bool update(Displaced *d)
 static bool settle(Displaced *d, Mesh *mesh)
 {
     Bisection *b = d->own;
-    int enough = 0; /* known lower bound */
+    int enough = 0; /* known lower bound of `coarser` */
     for (;;) {
         const bool fits = update(d);
         if (b->head[BISECTION_LOST])

@@ -9,7 +9,7 @@ struct Instance {
 layout(std140, binding = 0) readonly buffer Instances {
     Instance matc_instances[];
 };
-layout(std140, binding = 16) uniform View { // layout as matc writes it
+layout(std140, binding = 16) uniform View { // uniform block in the layout that matc writes
     mat4 matc_clipFromWorld;
     mat3 matc_eyeNormalFromWorld;
 };

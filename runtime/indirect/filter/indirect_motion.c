@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { DEPTH_UNIT = 0 /* the unit of samplers that are not set */ };
+enum { DEPTH_UNIT = 0 /* texture unit of samplers that are not set */ };
 
 static bool make_number(Renderer *renderer, IndirectMotion *motion)
 {

@@ -13,7 +13,7 @@ uniform sampler2D temporal_rays;   // results of this frame's rays
 uniform sampler2D temporal_values; // accumulated means
 // x: distance from the eye along the view axis; y: number of sets; zw: the normal
 uniform sampler2D temporal_places;
-// 0, or a motion id, from 1 on; an id past the last: the motion is unknown
+// motion ids, from 1 on; 0: no motion; an id past the last: the motion is unknown
 uniform usampler2D temporal_moved;
 layout(std140) uniform History {
 #include "temporal.layout.def"

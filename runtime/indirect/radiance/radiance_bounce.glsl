@@ -7,7 +7,7 @@ uniform float bounce_far;  // ray length in voxels of the map
 
 vec3 bounceDirection(int ray, uint seed, vec3 normal)
 {
-    uint random = seed * 747796405u + 2891336453u; // O'Neill's PCG
+    uint random = seed * 747796405u + 2891336453u; // random numbers by O'Neill's PCG
     random = ((random >> (random >> 28 & 15u) + 4u) ^ random) * 277803737u;
     random ^= random >> 22;
     vec2 s = fract(vec2(float(ray) / float(RADIANCE_RAYS),

@@ -76,7 +76,7 @@ void indirect_define(const Renderer *renderer, int coarse, char text[INDIRECT_DE
 
 int indirect_filter_size(const Renderer *renderer, int coarse)
 {
-    const int widest = 8; /* pixels of the picture */
+    const int widest = 8; /* max filter size in pixels of the picture */
     const SceneIndirect *in = &renderer->scene->indirect;
     const IndirectSequence sequence = sequence_of(renderer);
     const int edge = indirect_sequence_edge(&sequence);

@@ -4,9 +4,10 @@
 uniform sampler2D indirect_depth;
 layout(std140) uniform Indirect {
 #include "indirect.layout.def"
-    vec4 indirect_samples[INDIRECT_RAYS]; // z: third coordinate, for the method points
+    // sample points; z: third coordinate, for the method points
+    vec4 indirect_samples[INDIRECT_RAYS];
 #ifdef INDIRECT_ROTATION_blue
-    uvec4 indirect_shifts[INDIRECT_SHIFTS]; // blue noise ranks, two per component
+    uvec4 indirect_shifts[INDIRECT_SHIFTS]; // random shifts as blue noise ranks, two per component
 #elif defined INDIRECT_ROTATION_tile
     vec4 indirect_shifts[INDIRECT_SHIFTS]; // random shifts of a tile's pixels
 #endif
@@ -67,7 +68,8 @@ vec2 indirectRandom(uvec2 v)
 // for Sobol's sequence in tiles as described there; otherwise multiples of 1 / p and 1 / p^2, p the
 // plastic number, which fill a square evenly (Roberts 2018), and of the golden ratio.
 struct IndirectShift {
-    vec3 at, more; // xy: both by exclusive or, or both by addition modulo 1
+    // shifts in xy: both are applied by exclusive or, or both by addition modulo 1
+    vec3 at, more;
 };
 
 #ifdef INDIRECT_ROTATION_blue
@@ -168,7 +170,7 @@ vec3 indirectNormal(ivec2 pixel)
 struct IndirectHit {
     float t;     // distance as a share of the ray length; < 0: no hit
     ivec2 pixel; // pixel that shows the hit; < 0: none
-    vec3 sent;   // radiance to add to the pixel's: from the radiance cache
+    vec3 sent;   // radiance from the radiance cache, added to the pixel's
 };
 
 // Pixel of the picture from which a pixel of the ray pass traces its rays.

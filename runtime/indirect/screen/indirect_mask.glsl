@@ -20,7 +20,7 @@ float indirectPrimitive(float t, float g)
 }
 
 struct IndirectSlice {
-    vec3 sight, aside; // unit vectors, perpendicular; the slice extends to both sides of `sight`
+    vec3 sight, aside; // perpendicular unit vectors; the slice extends to both sides of `sight`
     float g, left, all; // the normal's angle; the integral up to `sight`; the whole integral
 };
 

@@ -8,18 +8,18 @@ typedef struct {
     /* Indexed by object: its matrix at the last accumulated frame; NULL: frames do not
      * accumulate. */
     SceneMatrix *kept;
-    int first, end;   /* range of objects that may have moved since */
-    Material number;  /* draws motion ids */
+    int first, end;   /* range of objects that may have moved since the last accumulated frame */
+    Material number;  /* program that draws motion ids */
     Framebuffer seen; /* motion ids, integers, 0 for none; made on the first move */
 } IndirectMotion;
 
 /* State of temporal accumulation: pass_temporal.c. */
 typedef struct {
     ScreenPass blend, place;
-    Framebuffer values[2], places[2]; /* double buffered: one is read, the other written */
+    Framebuffer values[2], places[2]; /* double buffers: a frame reads one and writes the other */
     int last;                         /* index of the buffer written last */
     int sets;                         /* sets of rays accumulated since the last change */
-    unsigned number;                  /* number of all sets so far */
+    unsigned number;                  /* number of sets since the start */
     /* History exists; nothing has changed since; the wanted error is reached. */
     bool there, still, exact;
     unsigned dirty;            /* bit set of IndirectDirty: samples that may be out of date */

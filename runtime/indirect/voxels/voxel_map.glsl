@@ -22,7 +22,7 @@ const int voxel_size = VOXEL_SIZE;
 #else
 uniform int voxel_size; // voxels along an edge: a power of two
 #endif
-uniform mat4 voxel_from_eye;        // grid units from eye space
+uniform mat4 voxel_from_eye;        // matrix from eye space to grid units
 uniform float voxel_off;            // start offset of rays from a surface, in voxel widths
 
 // Transform a position and a direction from eye space. A ray's t is the same in both spaces.
@@ -77,10 +77,10 @@ struct VoxelWay {
     vec3 start;        // start in the grid, or where the ray enters it; mirrored
     vec3 along, over;  // mirrored direction: largest component 1, all > 0; its reciprocal
     ivec3 turn;        // the mirrored grid's voxel i along an axis is voxel i ^ turn
-    float scale;       // length along this ray = t of the original ray * scale
+    float scale;       // length along the mirrored ray = t of the original ray * scale
     float begin, most; // length before the start; max length after it
     bool within;       // the ray begins in the grid
-    int axis;          // axis of the face through which the ray enters; 3: begins within
+    int axis;          // axis of the face through which the ray enters; 3: the ray begins within
 };
 
 // Prepares a traversal. Components of a direction below 1e-20 of the largest are raised to that

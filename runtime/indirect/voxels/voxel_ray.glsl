@@ -43,7 +43,8 @@ bool voxelMeets(vec3 from, vec3 direction, float far, out VoxelMeeting meeting)
     vec3 start = way.start - beside;
     float entered = 0.0;
     int wide = 2, last_read = -1;
-    bool own = way.within, met = false; // own: only full voxels so far, in which the ray began
+    // `own`: all full voxels so far are those in which the ray began
+    bool own = way.within, met = false;
     for (int steps = 0; !met && steps < most && entered <= way.most &&
         ((at.x | at.y | at.z) & voxel_size) == 0; steps++) {
         int level = max(wide - 2, 0);

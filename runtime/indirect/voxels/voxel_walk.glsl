@@ -3,7 +3,7 @@ uniform usampler2DArray voxel_slices; // the slice map: a texel holds 128 voxels
 struct VoxelHit {
     float way; // t where the ray enters the voxel, in multiples of its direction; < 0: no hit
     ivec3 at;
-    int axis;  // axis of the face through which the ray enters; 3: begins within
+    int axis;  // axis of the face through which the ray enters; 3: the ray begins within
     int steps; // number of voxels read
 };
 

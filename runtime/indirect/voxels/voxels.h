@@ -45,13 +45,13 @@ struct FrameVoxels {
     GLuint within, surface;
     /* Union of both; in a coarser level a texel is the union of 2 x 2. */
     GLuint map;
-    GLuint bricks, buffer; /* the map as rays read it: a buffer texture, RG32UI: voxel_bricks.c */
+    GLuint bricks, buffer; /* the map as rays read it, an RG32UI buffer texture: voxel_bricks.c */
     GLuint framebuffer;
     /* Programs that fill `within`; `surface` (two); the map's finest level; coarser levels; the
      * bricks. */
     Material flip, touch, fine, merge, above, brick;
-    GLuint fine_places;       /* a buffer, filled from fine_rows: voxel_fine.c */
-    float (*fine_rows)[3][4]; /* capacity: all places of the GPU scene */
+    GLuint fine_places;       /* storage buffer, filled from fine_rows: voxel_fine.c */
+    float (*fine_rows)[3][4]; /* matrices, with capacity for all places of the GPU scene */
     bool drawn;               /* the map holds the current scene */
     ScreenPass view;
 };

@@ -12,7 +12,7 @@
 // and the diagonal is a-c.
 bool volumeTurned(vec4 quad)
 {
-    vec4 steps = quad.xyxw - quad.wzyz; // depth steps along the left, right, lower, upper edge
+    vec4 steps = quad.xyxw - quad.wzyz; // depth steps along the left, right, lower and upper edge
     steps *= steps;
     return (steps.x < steps.y && steps.w < steps.z) || (steps.y < steps.x && steps.z < steps.w);
 }

@@ -49,15 +49,15 @@ bool silhouetteCovers(bvec2 low, bvec2 high, vec4 cut, vec2 point)
     return silhouetteCuts(cut.xz, point) || silhouetteCuts(1.0 - cut.yw, 1.0 - point);
 }
 
-#ifdef SHADOW_SILHOUETTES // follows shadow.glsl
+#ifdef SHADOW_SILHOUETTES // the code below follows shadow.glsl
 // bias perpendicular to the plane, in texels
 const float SILHOUETTE_MIN = 1.0 / 16.0, SILHOUETTE_MAX = 1.0 / 4.0;
 const float SILHOUETTE_TILT = 0.005, SILHOUETTE_STEEPEST = 4096.0;
 
 // A point in a view: its position there, and the change of depth per texel on its plane.
 struct SilhouettePlace {
-    vec2 at;     // position in texels
-    float depth; // depth; a greater one is nearer to the light
+    vec2 at;     // position in the map, in texels
+    float depth; // depth of the point; a greater depth is nearer to the light
     vec2 slope;
     float texel; // depth difference that is as long as a texel is wide
 };
@@ -89,12 +89,12 @@ vec4 silhouetteFree(SilhouettePlace place, vec2 part, vec4 depths, float pixel)
 {
     vec4 x = vec4(0.0, 1.0, 1.0, 0.0) - part.x, y = vec4(1.0, 1.0, 0.0, 0.0) - part.y;
     float steep = length(place.slope) / place.texel, square = 1.0 + steep * steep;
-    // along the light 1, clamped to both bounds
+    // bias that is 1 along the light, clamped to both bounds
     float lift = clamp(inversesqrt(square), SILHOUETTE_MIN, SILHOUETTE_MAX) + pixel / 64.0;
     vec4 bias = lift * sqrt(square) + min(SILHOUETTE_TILT * square, max(steep, 0.25)) *
         sqrt(x * x + y * y);
     vec4 off = depths - place.depth - place.slope.x * x - place.slope.y * y;
-    // 0: empty texel
+    // depth 0 marks an empty texel
     return max(vec4(lessThanEqual(off, bias * place.texel)), vec4(equal(depths, vec4(0.0))));
 }
 
