@@ -26,8 +26,8 @@ void choice_store_options(Bytes *to, const MatcOptions *options);
 /* Returns the options of a caller that may have been compiled with fewer or more members:
  * missing members get their defaults. */
 MatcOptions choice_whole_options(const MatcOptions *given);
-/* True if the options were initialized by matc_options_init of any library version with this
- * number. */
+/* Returns true if the options were initialized by matc_options_init of any library version with
+ * this number. */
 bool choice_is_set(const MatcOptions *options);
 /* Reports options that were not initialized by matc_options_init. Returns false if nothing may
  * be read or compiled. */

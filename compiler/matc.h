@@ -60,21 +60,26 @@ typedef char *(*MatcReadFile)(void *user, const char *path, size_t *size, const 
 /* Options, with the names of the command line; NULL selects the default. Initialize by
  * matc_options_init, then change members. */
 typedef struct {
-    size_t size;        /* sizeof(MatcOptions) of the calling program, in bytes */
-    const char *target; /* "glsl110", "glsl330" (default), "glsl450", "essl300", "spirv" */
-    /* "gbuffer" (default), "plane", "sky", "shadow", "depth", "value", "displacement" */
+    size_t size; /* sizeof(MatcOptions) of the calling program, in bytes */
+    /* target language: "glsl110", "glsl330" (default), "glsl450", "essl300", "spirv" */
+    const char *target;
+    /* pass of the program: "gbuffer" (default), "plane", "sky", "shadow", "depth", "value",
+     * "displacement" */
     const char *pass;
     const char *slot; /* slot of the pass "value": "diffuse" (default), "normal", ... */
-    /* "compact" (default; "thin" for glsl110), "thesis", "radix", "integer", ... */
+    /* G-buffer layout: "compact" (default; "thin" for glsl110), "thesis", "radix", "integer",
+     * ... */
     const char *layout;
-    /* "fast" (default), "balanced", "exact": sets the following choices that are NULL */
+    /* precision, which sets the following choices that are NULL: "fast" (default), "balanced",
+     * "exact" */
     const char *precision;
-    const char *noise;        /* "lattice" (default), "groimp", "simplex" */
-    const char *aa;           /* "auto" (default), "none", "box", "aniso" */
-    const char *derivatives;  /* "auto" (default), "finite", "analytic" */
-    const char *coordinates;  /* "plain" (default), "long" */
-    const char *powers;       /* "squaring" (default), "pow", "compensated" */
-    const char *trigonometry; /* "native" (default), "bounded" */
+    const char *noise;       /* noise: "lattice" (default), "groimp", "simplex" */
+    const char *aa;          /* antialiasing: "auto" (default), "none", "box", "aniso" */
+    const char *derivatives; /* slopes of maps: "auto" (default), "finite", "analytic" */
+    /* precision of coordinates for noise and checkers: "plain" (default), "long" */
+    const char *coordinates;
+    const char *powers;       /* integer powers: "squaring" (default), "pow", "compensated" */
+    const char *trigonometry; /* sine and cosine: "native" (default), "bounded" */
     const char *
         /* "baked" (default; also "auto", which applies to batches), "uniform": the document's
          * constants are read from a uniform block */
@@ -269,7 +274,7 @@ typedef struct {
 MATC_API bool matc_move(const MatcDocument *document, int material, const MatcOptions *options,
                         MatcPoint *points, int count);
 
-/* True if the material replaces its surface by a volume (`displacementVolume`). */
+/* Returns true if the material replaces its surface by a volume (`displacementVolume`). */
 MATC_API bool matc_has_volume(const MatcDocument *document, int material);
 /* The solid intervals along the unit normal of a point, in world units: heights[0] to [1] and
  * [2] to [3]; an interval is empty unless its second bound is greater. */
@@ -302,7 +307,7 @@ MATC_API const char *matc_shape(MatcProgram *program);
  * GLSL 1.10), or a literal in its text that may become a member (name is then NULL). */
 typedef struct {
     const char *name;
-    const char *type; /* "float", "vec2", "vec3", "vec4", "uint", "uvec4" */
+    const char *type; /* type of the constant: "float", "vec2", "vec3", "vec4", "uint", "uvec4" */
     int components;
     int offset;       /* offset of the member in bytes */
     int member;       /* index of the member in MatcOptions; -1: not a member */

@@ -12,7 +12,7 @@ typedef struct {
 
 /* Text -> Tree -> Graph. */
 Graph *compile_front(Session *session, uint32_t source, Tree **tree);
-/* Graph -> Ir, lowered and optimized. */
+/* Lowers a material of the graph to the Ir, and optimizes it. */
 Ir *compile_ir(Session *session, const Graph *graph, const Node *material, const Job *job);
 /* Returns the max displacement of a vertex from the intervals of an optimized IR; 0: no
  * displacement, INFINITY: unbounded. */

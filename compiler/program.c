@@ -42,7 +42,7 @@ static void list_constants(MatcProgram *p)
     }
 }
 
-/* True if the program has outputs; a discard counts as one. */
+/* Returns true if the program has outputs; a discard counts as one. */
 static bool writes_pixels(const Ir *ir)
 {
     for (int i = 0; i < ir->output_count; i++)

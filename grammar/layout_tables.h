@@ -57,7 +57,8 @@ double field_error(const FieldRow *field); /* Returns the max error in the encod
 double field_low(const FieldRow *field);
 double field_high(const FieldRow *field);
 bool field_has_range(const FieldRow *field);
-/* True for encodings of numbers in [0, 1] in words, which can be scaled to another range. */
+/* Returns true for encodings of numbers in [0, 1] in words, which can be scaled to another
+ * range. */
 bool encoding_takes_range(Encoding encoding);
 
 typedef enum {

@@ -23,7 +23,7 @@ typedef enum {
     GROUP_COUNT
 } Group;
 
-/* True for groups that the draw call sets, independent of the queried maps. */
+/* Returns true for groups that the draw call sets, independent of the queried maps. */
 static inline bool group_is_draws(Group group) { return group > GROUP_IOR; }
 
 enum { COMPONENTS_OF_GROUP = 4 }; /* a channel's id is COMPONENTS_OF_GROUP * group + component */
@@ -132,7 +132,7 @@ extern const ParamRow param_table[PARAM_COUNT];
  * map. */
 /* param_is_number: only the red component of the map is read */
 bool param_is_colored(int param), param_is_number(int param);
-/* True if no slot stores this parameter: UNSTORED lines of materials.def. */
+/* Returns true if no slot stores this parameter: UNSTORED lines of materials.def. */
 bool param_is_unstored(int param);
 /* Returns how the parameter is modified if the parameter *weight is not 0: TILED lines; NULL:
  * not at all. */
@@ -151,7 +151,7 @@ typedef enum { MOVES_xyz = 1, MOVES_uv = 2, MOVES_both = MOVES_xyz | MOVES_uv } 
 
 typedef struct {
     const char *name;
-    const char *function; /* GLSL name of its function, or stem of its temporaries */
+    const char *function; /* name of the map's GLSL function, or stem of its temporaries */
     Lowering lowering;
     int cost;
     int first, count; /* range of the kind's rows in param_table */
@@ -366,7 +366,7 @@ typedef struct {
 } ChoiceRow;
 typedef struct {
     const char *name, *doc;
-    int choice[AXIS_COUNT]; /* -1: not set by the row */
+    int choice[AXIS_COUNT]; /* choice of each axis; -1: the row does not set the axis */
 } PrecisionRow;
 extern const AxisRow axis_table[AXIS_COUNT];
 int axis_choices(Axis axis);

@@ -18,8 +18,8 @@ static const char *write_to(FILE *file, const void *bytes, size_t size)
     return fflush(file) ? text_error(errno) : NULL;
 }
 
-/* True for a path that cannot or must not be replaced by a rename. As root, a rename could put a
- * file in place of /dev/stdout. */
+/* Returns true for a path that cannot or must not be replaced by a rename. As root, a rename
+ * could put a file in place of /dev/stdout. */
 static bool is_special(const char *path)
 {
     static const char *const open_files[] = {"/dev/stdout", "/dev/stderr", "/dev/fd/", "/proc/"};

@@ -81,7 +81,7 @@ typedef struct Session {
 /* Adds a diagnostic of a kind; the arguments of its format follow. Always returns NULL, so that
  * a reader can return the result. */
 void *diag_add(Session *session, Span span, DiagKind kind, ...);
-/* True when MAX_DIAGS diagnostics are stored: later ones are dropped, and only errors are
+/* Returns true when MAX_DIAGS diagnostics are stored: later ones are dropped, and only errors are
  * counted. */
 bool diag_full(const Session *session);
 /* Returns "; did you mean 'x'?" as suggest() does, or "" if no more diagnostics are stored. */

@@ -60,7 +60,7 @@ void text_int(Text *text, long value)
     text_add(text, at, (size_t)(end - at));
 }
 
-/* True if the format uses only %s, %d and %%, as most formats do. put_plain() then replaces
+/* Returns true if the format uses only %s, %d and %%, as most formats do. put_plain() then replaces
  * printf, which costs a thousand instructions a call. */
 static bool is_plain(const char *format)
 {

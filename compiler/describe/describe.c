@@ -186,7 +186,7 @@ void describe_error(Text *out, const FieldRow *field)
     }
 }
 
-/* True for a "%s" directly after a word or a closing quote: a hint, usually empty. */
+/* Returns true for a "%s" directly after a word or a closing quote: a hint, usually empty. */
 static bool is_hint(const char *format, const char *at)
 {
     if (at == format || strchr(" \n", at[-1]))

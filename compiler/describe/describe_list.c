@@ -150,7 +150,7 @@ char *matc_list(void)
     return describe_finish(&out);
 }
 
-/* Returns the list of that kind, or the choices of that axis. */
+/* Returns the list of a kind of names, or the choices of an axis. */
 char *matc_list_of(const char *kind)
 {
     Arena arena = {0};

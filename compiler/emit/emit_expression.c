@@ -258,7 +258,7 @@ static void put_infix(Scope *e, Text *out, Ref ref, int own)
     emit_expression(e, out, ir_arg(e->ir, ref, 1), mixed ? PRECEDENCE_add : own + 1);
 }
 
-/* True for a literal written with a minus sign, including -0.0. */
+/* Returns true for a literal written with a minus sign, including -0.0. */
 static bool is_negative(const Ir *ir, Ref ref)
 {
     return ir_is(ir, ref, OP_const) && ir_components(ir, ref) == 1 &&

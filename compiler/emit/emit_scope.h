@@ -69,7 +69,8 @@ const char *emit_origin_note(Scope *e, const IrNode *node);
 
 /* Writes a value as an expression, in parentheses if it binds less tightly than `precedence`. */
 void emit_expression(Scope *e, Text *out, Ref ref, int precedence);
-/* True for values that never need a temporary: constants, inputs, swizzles of named values. */
+/* Returns true for values that never need a temporary: constants, inputs, swizzles of named
+ * values. */
 static inline bool emit_is_leaf(const Ir *ir, Ref ref)
 {
     return op_table[ir_at(ir, ref)->op].arity == 0 || ir_is(ir, ref, OP_swizzle);

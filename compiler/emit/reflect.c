@@ -147,7 +147,7 @@ static void put_constants(Text *out, const Ir *ir, const Job *job)
     text_put(out, "}");
 }
 
-/* True if a vertex stage samples the texture and the fragment program does not. */
+/* Returns true if a vertex stage samples the texture and the fragment program does not. */
 static bool is_of_vertices(const Interface *interface, const MatcTexture *texture, int made_by)
 {
     if (!interface->fragment_textures)

@@ -57,7 +57,7 @@ static Condition *condition_of(const Ir *ir, const Schedule *s, Ref branch)
     return &s->conditions[ir_arg(ir, branch, 0)];
 }
 
-/* True if a branch, all of whose users were visited, may join the open region. */
+/* Returns true if a branch, all of whose users were visited, may join the open region. */
 static bool joins(const Schedule *s, const Condition *condition, Ref ref)
 {
     return condition->open && s->block[condition->open] == s->block[ref] &&
@@ -182,7 +182,7 @@ static bool is_computed_in(const Ir *ir, const Schedule *s, Ref value, int block
     return s->block[value] == block && ir_at(ir, value)->count;
 }
 
-/* True for a select in a region whose arms compute nothing for it. */
+/* Returns true for a select in a region whose arms compute nothing for it. */
 static bool has_empty_arms(const Ir *ir, const Schedule *s, Ref ref)
 {
     const int arm = s->arm[ref];
@@ -246,8 +246,8 @@ static void link_blocks(Schedule *s)
     }
 }
 
-/* True if operand i is evaluated only depending on the first: an arm of a select, the right side
- * of && and ||. */
+/* Returns true if operand i is evaluated only depending on the first: an arm of a select, the
+ * right side of && and ||. */
 static bool is_conditional(const Ir *ir, Ref ref, int i)
 {
     return i > 0 && (ir_is(ir, ref, OP_select) || ir_is(ir, ref, OP_and) || ir_is(ir, ref, OP_or));
@@ -287,7 +287,7 @@ Schedule schedule_new(const Ir *ir, Arena *arena)
                       .branch = ARENA_ARRAY(arena, uint8_t, ir->count)};
 }
 
-/* True for a select with an arm that has something to skip. */
+/* Returns true for a select with an arm that has something to skip. */
 static bool has_arms(const Ir *ir, Ref ref)
 {
     return ir_is(ir, ref, OP_select) &&

@@ -16,7 +16,7 @@ static bool same_piece(const Piece *a, const Piece *b)
            a->shift == b->shift && a->count == b->count && same_field(a->field, b->field);
 }
 
-/* True for one component of a slot, or a whole slot. A gray field is one number for all
+/* Returns true for one component of a slot, or a whole slot. A gray field is one number for all
  * components, and other pieces distribute components to several slots. */
 static bool may_be_shared(const Piece *piece)
 {

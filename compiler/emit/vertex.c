@@ -271,7 +271,7 @@ static void full_screen(Text *out, const Job *job, const Interface *interface)
     text_put(out, "    gl_Position = vec4(corner, 0.0, 1.0);\n}\n");
 }
 
-/* True for passes that draw a full-screen triangle. */
+/* Returns true for passes that draw a full-screen triangle. */
 static bool is_screen(const Job *job) { return job->pass == PASS_plane || job->pass == PASS_sky; }
 
 const char *emit_vertex(Session *session, const Job *job, const Interface *interface)

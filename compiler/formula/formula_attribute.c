@@ -27,7 +27,8 @@ static bool take(FormulaReader *r, const char *symbol, const char *what)
     return is;
 }
 
-/* True for a letter followed by letters, digits and single '_', valid inside a GLSL identifier. */
+/* Returns true for a letter followed by letters, digits and single '_', valid inside a GLSL
+ * identifier. */
 static bool is_name(const char *name, size_t size)
 {
     bool fine = size > 0 && size <= LONGEST_NAME && text_is_letter(*name) && name[size - 1] != '_';

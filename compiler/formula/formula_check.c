@@ -266,7 +266,7 @@ static int check_list(Check *c, const FormulaStep *step)
     return fail(c);
 }
 
-/* True if all arguments have a known width, so none is faulty. */
+/* Returns true if all arguments have a known width, so none is faulty. */
 static bool are_known(const Check *c, const FormulaStep *step)
 {
     for (uint32_t i = 0; i < step->count; i++)

@@ -25,7 +25,7 @@ typedef struct {
 /* Returns the token at this byte or after the white space there. */
 Token formula_token(const FormulaSource *source, uint32_t at);
 static inline uint32_t formula_token_size(Token token) { return token.end - token.start; }
-/* True if the text contains the word at this byte. */
+/* Returns true if the text contains the word at this byte. */
 static inline bool formula_begins(const FormulaSource *source, uint32_t at, const char *word)
 {
     while (at < source->size && *word && source->text[at] == *word)

@@ -186,17 +186,17 @@ typedef struct {
     const Value *height, *vector, *scale, *bound, *volume, *threshold;
 } Displacement;
 Displacement graph_displacement(const Node *material);
-/* True if a map displaces the surface or replaces it by a volume. */
+/* Returns true if a map displaces the surface or replaces it by a volume. */
 bool graph_displaces(const Node *material);
-/* True if a volume replaces the surface; `height` and `vector` are then ignored. */
+/* Returns true if a volume replaces the surface; `height` and `vector` are then ignored. */
 bool graph_displaces_volume(const Node *material);
-/* True if the value is 0 everywhere. */
+/* Returns true if the value is 0 everywhere. */
 bool value_is_zero(const Value *value);
 /* Fills graph->models (allocated by the caller) for nodes given inputs first. A missing material
  * is a gray Phong. */
 void graph_find_models(Graph *graph, const Node *const *nodes, size_t count);
-/* True if the coat of a Principled or a Layer has the normal of its base: both use the surface's
- * normal, or the same map. */
+/* Returns true if the coat of a Principled or a Layer has the normal of its base: both use the
+ * surface's normal, or the same map. */
 bool graph_coat_follows(const Graph *graph, const Node *coated);
 
 /* Returns the parameter P_<kind>_<name> of tables.h. */

@@ -75,7 +75,7 @@ void lint_units(Session *session, const Node *node)
     }
 }
 
-/* True for a map that yields a pattern of colors or a single number, but no direction. */
+/* Returns true for a map that yields a pattern of colors or a single number, but no direction. */
 static bool is_plain(const Node *map)
 {
     const Section section = section_of(map->kind);

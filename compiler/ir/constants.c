@@ -196,8 +196,8 @@ static void order(const IrConstant *list, size_t count, size_t *to)
         }
 }
 
-/* True for an unnamed Constant map, whose kind is no useful name. The member is then named after
- * its user. */
+/* Returns true for an unnamed Constant map, whose kind is no useful name. The member is then
+ * named after its user. */
 static bool is_nameless(const Ir *ir, const IrConstant *constant)
 {
     const Node *map = ir_origin_map(ir, constant->origin);

@@ -27,7 +27,7 @@ void constants_place(Ir *ir, const NumberPlace *places, const int *member, int c
  * widest first, a scalar after each vec3. Sorts the Ir's list by offset; the order is equal for
  * programs of one key. */
 void constants_finish(Session *session, Ir *ir, const int *list, size_t count);
-/* True for types that a uniform block can hold: floats and words. */
+/* Returns true for types that a uniform block can hold: floats and words. */
 bool constant_storable(Type type);
 /* Returns the bits of a component in a block: a float, or an unsigned word. */
 uint32_t constant_bits(double value, bool word);

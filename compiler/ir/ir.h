@@ -176,7 +176,7 @@ typedef struct Ir {
     const Node *displaced; /* the material that displaces the surface; NULL: none */
     /* When all slots are outputs: the slots that a layout has to store, 1 << slot. */
     unsigned slots;
-    bool keep_pow;        /* calls of pow stay, although products would be exact */
+    bool keep_pow;        /* powers with integer exponents stay calls of pow */
     ReferenceNoise noise; /* noise variant that constant folding uses */
     Ref *held;            /* stack of the operands of nested builder calls: REFS of build.h */
     size_t held_count, held_capacity;
@@ -227,19 +227,20 @@ static inline void ir_set_head(Ir *ir, Ref ref, bool head)
 {
     ir->nodes[ref].flags = (uint8_t)((ir->nodes[ref].flags & ~NODE_head) | (head ? NODE_head : 0));
 }
-/* True for a node that runs a function of the program; the payload is the function's index. */
+/* Returns true for a node that runs a function of the program; the payload is the function's
+ * index. */
 static inline bool ir_applies(const Ir *ir, Ref ref)
 {
     return op_payload[ir->nodes[ref].op] == PAYLOAD_function;
 }
-/* True for a node that takes screen-space derivatives, which need uniform control flow: the node
- * must not be in a branch. */
+/* Returns true for a node that takes screen-space derivatives, which need uniform control flow:
+ * the node must not be in a branch. */
 static inline bool ir_needs_neighbours(const Ir *ir, Ref ref)
 {
     return ir_is(ir, ref, OP_call) && (ir_at(ir, ref)->payload == FN_imageSampled ||
                                        ir_at(ir, ref)->payload == FN_imageCentred);
 }
-/* True for a constant whose components all equal `value`. */
+/* Returns true for a constant whose components all equal `value`. */
 bool ir_is_number(const Ir *ir, Ref ref, double value);
 
 /* Creates a node, finds an equal existing node, or returns the node to which it simplifies. The
@@ -258,7 +259,7 @@ int ir_function(Ir *ir, const Ref *arguments, int count, Ref result);
 void ir_output(Ir *ir, OutputKind kind, int index, Ref value);
 /* Returns the output of a kind that occurs at most once; NULL: absent. */
 const IrOutput *ir_output_of(const Ir *ir, OutputKind kind);
-/* True for outputs of the fragment program; other outputs belong to the vertex stages. */
+/* Returns true for outputs of the fragment program; other outputs belong to the vertex stages. */
 bool ir_is_of_fragments(const IrOutput *output);
 enum { KERNEL_POINTS = 27 }; /* number of points that a kernel sums */
 

@@ -241,7 +241,7 @@ static Interval exponent_range(Interval a)
     return (Interval){low * (1 - SLACK), fmin(high * (1 + SLACK), all.high)};
 }
 
-/* True for a call that reads an image of floats, whose values are unbounded. */
+/* Returns true for a call that reads an image of floats, whose values are unbounded. */
 static bool reads_floats(const Ir *ir, Ref call)
 {
     const Ref sampler = ir_arg(ir, call, 0);

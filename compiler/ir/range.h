@@ -33,14 +33,14 @@ Ranges range_find(const Ir *ir, Arena *arena, int components);
 /* Finds intervals of live nodes; other nodes are unbounded. Intervals found earlier in the same
  * arena are reused. Zero all members except `components` before the first call. */
 void range_find_live(Ranges *r, const Ir *ir, Arena *arena, const uint8_t *live);
-/* An interval of this node is stored. */
+/* Returns true if an interval of the node is stored. */
 static inline bool range_is_found(const Ranges *r, Ref ref)
 {
     return ref < r->count && r->place[ref].first;
 }
 /* Finds intervals of the nodes that some roots reach. */
 Ranges range_find_below(const Ir *ir, Arena *arena, int components, const Ref *roots, int count);
-/* True for operations whose intervals are exact, without rounding error. */
+/* Returns true for operations whose intervals are exact, without rounding error. */
 bool range_is_exact(Op op);
 /* Interval of a component as stored, regardless of guards; and while the current guards hold. */
 static inline Interval range_kept(const Ranges *r, Ref ref, int component)

@@ -107,7 +107,7 @@ static FieldRow best_field(const Wish *wish)
     return best;
 }
 
-/* True if each component is the same number in all materials. */
+/* Returns true if each component is the same number in all materials. */
 static bool is_constant(const MatcSlotRange *range, int components)
 {
     for (int component = 0; component < components; component++)

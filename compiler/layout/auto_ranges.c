@@ -40,8 +40,8 @@ void matc_ranges_join(MatcRanges *ranges, const MatcRanges *other)
     auto_sets_join(ranges, other);
 }
 
-/* True if a node's components are equal by construction, given the same for its operands: the
- * SAME lines of ops.def. */
+/* Returns true if a node's components are equal by construction, given the same for its
+ * operands: the SAME lines of ops.def. */
 static bool same_numbers(const Ir *ir, Ref ref, const uint8_t *same)
 {
     const double *numbers = ir_numbers(ir, ref);
@@ -129,7 +129,7 @@ static void read_slot(const Ir *ir, const Ranges *ranges, const uint8_t *same,
     }
 }
 
-/* True if the slot can be greater than 0. */
+/* Returns true if the slot can be greater than 0. */
 static bool is_there(const MatcSlotRange *range)
 {
     for (int component = 0; component < FIELD_COMPONENTS; component++)

@@ -182,7 +182,7 @@ bool piece_takes_bits(const Piece *piece)
     return strchr(arguments, 'i') != NULL;
 }
 
-/* True if the adjacent components are free. */
+/* Returns true if the adjacent components are free. */
 static bool fits_components(const Capacity *capacity, const FormatRow *format, const Piece *piece)
 {
     for (int i = 0; i < piece->size; i++)

@@ -5,7 +5,7 @@
 
 /* A uniform that a chunk declares. */
 typedef struct {
-    const char *type; /* "mat3", "highp sampler2D" */
+    const char *type; /* type of the uniform, such as "mat3" or "highp sampler2D" */
     const char *name; /* NULL ends the list */
     bool sampler;
 } ChunkUniform;

@@ -30,7 +30,7 @@ typedef struct {
     /* `components` bytes per texel; value = byte / 255; NULL if floats are set */
     const uint8_t *bytes;
     const float *floats;
-    /* words per component; value = word / 65535; NULL if bytes or floats are set */
+    /* a word per component; value = word / 65535; NULL if bytes or floats are set */
     const uint16_t *words;
     bool srgb;          /* the first three components are sRGB-encoded */
     ReferenceWrap wrap; /* treatment of texels outside the texture */

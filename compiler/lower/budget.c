@@ -50,7 +50,7 @@ typedef struct {
     Lower lower;
     Ir *ir;       /* NULL: lowering failed, or the IR was dropped */
     MapList seen; /* the maps that may be averaged over the pixel */
-    int below;    /* number of the leading maps that are averaged */
+    int below;    /* index below which maps are averaged */
     int cost;     /* cost of the program in operations, if `seen` has any map */
 } Trial;
 

@@ -22,7 +22,7 @@ bool opt_centre(Ir *ir); /* cancels half a texel that is subtracted and added ag
 bool opt_group(Ir *ir);  /* combines the constants of a sum or of a product */
 /* replaces trigonometric functions by functions with bounded error */
 bool opt_trigonometry(Ir *ir);
-/* Guards that save nothing -> their value; the others are selects from then on. */
+/* Replaces guards that save nothing by their values; other guards become selects. */
 bool opt_guard(Ir *ir);
 bool opt_polish(Ir *ir); /* applies all local rules together, with the use counts of nodes */
 /* Applies the local rules of fold, algebra, swizzle, select and power to a new node, until none

@@ -29,8 +29,8 @@ static Interval range_at(const Site *s, Ref ref)
     return range_of(s->ranges, s->ir, ref, s->component);
 }
 
-/* True if a value is certainly in [low, high]; for a rounded value with a margin for rounding
- * errors. */
+/* Returns true if a value is certainly in [low, high]; for a rounded value with a margin for
+ * rounding errors. */
 static bool lies_within(const Site *s, Ref ref, double low, double high)
 {
     const double slack = 1e-5;

@@ -27,7 +27,7 @@ typedef struct {
     uint32_t *sources;  /* indexed as source_paths: the first source with the same path */
     size_t source_count, source_capacity, indexed;
 } GltfFiles;
-/* True if a path refers to an image inside a glTF file. */
+/* Returns true if a path refers to an image inside a glTF file. */
 bool gltf_file_has(const char *path);
 /* Reads the image with this path. Returns false and *why on failure. */
 bool gltf_file_picture(Session *session, GltfFiles *files, const char *path, GltfBytes *picture,

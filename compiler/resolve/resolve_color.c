@@ -45,7 +45,7 @@ bool resolve_color_space(Resolver *r, const Tree *document)
 
 /* -- Advice about hex colors without `colors:` */
 
-/* True if all components are 0 or 1, which are equal in sRGB and linear light. */
+/* Returns true if all components are 0 or 1, which are equal in sRGB and linear light. */
 static bool is_pure(const double *components)
 {
     bool pure = true;

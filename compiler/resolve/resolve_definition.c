@@ -262,7 +262,7 @@ static Tree *copy_of(Copy *c, Tree *tree)
     return tree->shared ? copy_shared(c, tree) : copy_parts(c, tree);
 }
 
-/* True for equal scalars of one file, or the same tree. */
+/* Returns true for equal scalars of one file, or the same tree. */
 static bool alike(const Tree *a, const Tree *b)
 {
     if (a == b)

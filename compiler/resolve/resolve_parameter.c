@@ -68,7 +68,7 @@ static ParameterType type_of(const Tree *tree)
 
 const char *resolve_parameter_type(ParameterType type) { return type_names[type]; }
 
-/* True if a type accepts an argument. Colors and maps are interchangeable. */
+/* Returns true if a type accepts an argument. Colors and maps are interchangeable. */
 static bool fits(ParameterType type, const Tree *tree)
 {
     /* other faults in them are reported by name */

@@ -28,8 +28,8 @@ const char *resolve_parameter_type(ParameterType type);
 /* Parses name: default, or name: { default, type, doc, min, max }. Returns false after reporting
  * a fault. */
 bool resolve_parameter(Resolver *r, const Member *member, Parameter *parameter);
-/* True if the parameter of a definition accepts an argument. Returns false after reporting a
- * fault. */
+/* Returns true if the parameter of a definition accepts an argument. Returns false after
+ * reporting a fault. */
 bool resolve_argument(Resolver *r, const Member *definition, const Parameter *parameter,
                       const Tree *argument);
 /* Adds a note at the parameter that rejected an argument. */

@@ -160,8 +160,8 @@ static const Node *expression(Foreign *s, const Formula *formula)
                              (Node){.kind = KIND_Expression, .span = s->span, .params = params});
 }
 
-/* True if the value is 0 for any value of the unknown maps, because a known factor is 0. Tested
- * with several guesses. */
+/* Returns true if the value is 0 for any value of the unknown maps, because a known factor is 0.
+ * Tested with several guesses. */
 static bool is_nothing(const Foreign *s, const Formula *formula)
 {
     static const double guesses[][4] = {{.3, .6, .9, .2}, {0, .5, 0, .7}, {1, 0, .4, 1}};

@@ -108,7 +108,7 @@ static void drop_files(Batch *b)
         }
 }
 
-/* True if a file name of the material in some pass is also used by another material. */
+/* Returns true if a file name of the material in some pass is also used by another material. */
 static bool meets_other(const Batch *b, const BatchMaterial *material, StringSet *names)
 {
     char name[LONGEST_NAME], earlier[LONGEST_NAME];

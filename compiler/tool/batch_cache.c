@@ -108,7 +108,7 @@ void batch_stored_key(const Batch *b, BatchDocument *document)
     bytes_free(&bytes);
 }
 
-/* True if all files are unchanged. */
+/* Returns true if all files are unchanged. */
 static bool same_files(Batch *b, BytesReader *from, int count)
 {
     for (int i = 1; i < count; i++) {
@@ -227,7 +227,7 @@ bool batch_stored_document(Batch *b, BatchDocument *document)
     return document->stored;
 }
 
-/* True if program files were added that the document's entry does not list. */
+/* Returns true if program files were added that the document's entry does not list. */
 static bool has_changed(const BatchDocument *document, int requests)
 {
     for (int i = 0; i < document->material_count * requests; i++)

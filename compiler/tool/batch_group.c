@@ -24,7 +24,7 @@ static void add_unit(Batch *b, KeySet *keys, Key key, Unit *unit)
     b->programs[unit->program].unit_count++;
 }
 
-/* True if all units of the program have equal numbers at a place. */
+/* Returns true if all units of the program have equal numbers at a place. */
 static bool is_same(const BatchProgram *program, int at, int components)
 {
     size_t size = (size_t)components * sizeof(uint32_t);

@@ -20,7 +20,7 @@ static int open_to_measure(void *user, int number)
     matc_ranges_init(document->ranges);
     if (batch_stored_ranges(b, document))
         return 0;
-    /* the document's faults are reported when it is compiled */
+    /* ignores the document's faults, which its compilation reports */
     int count = matc_material_count(batch_document_parsed(b, document));
     return count;
 }

@@ -84,7 +84,7 @@ typedef struct {
     MatcRanges ranges;  /* joined ranges of all documents, with --layout=auto */
     MatcLayout *layout; /* automatic layout; NULL: none */
     Outputs folders;    /* all output folders of the run */
-    /* Stagings of the folder and of --textures, possibly the same; NULL: none. */
+    /* Stagings of the folder and of --textures, possibly the same; NULL: not given. */
     Staging *staging, *textures;
     MatcLinked *linked;    /* programs that share their text, for all options */
     Cache *cache;          /* the cache; NULL: disabled */
@@ -130,7 +130,7 @@ void batch_name(const Batch *batch, const Unit *unit, char name[LONGEST_NAME]);
 /* Stages a file of a program, or of the layout. */
 void batch_put_file(Batch *batch, BatchDocument *document, BatchFile file, const char *bytes,
                     size_t size);
-/* True for outputs that are written for every program. */
+/* Returns true for outputs that are written for every program. */
 bool batch_is_of_program(int emit);
 /* Opens every document, processes its parts and closes it, on all threads. */
 void batch_phase(Batch *batch, int (*open)(void *, int), void (*work)(void *, int, int),
@@ -141,7 +141,8 @@ void batch_phase(Batch *batch, int (*open)(void *, int), void (*work)(void *, in
 void batch_inputs(const Batch *batch, StringSet *files);
 /* Reports each output that would replace an input. Call it when all outputs are staged. */
 void batch_spare_inputs(Batch *batch);
-/* True if the folder's file of that name is an input. Call it after batch_spare_inputs(). */
+/* Returns true if the folder's file of that name is an input. Call it after
+ * batch_spare_inputs(). */
 bool batch_reads(const Batch *batch, const char *name);
 
 /* -- batch_layout.c */

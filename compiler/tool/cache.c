@@ -84,8 +84,8 @@ static void put_tag(int folder)
     close(file);
 }
 
-/* True if only this user and root can have written the file. A checksum detects corruption, not
- * forgery. */
+/* Returns true if only this user and root can have written the file. A checksum detects
+ * corruption, not forgery. */
 static bool is_own(const struct stat *info)
 {
     return (info->st_uid == geteuid() || info->st_uid == 0) && !(info->st_mode & BY_OTHERS);
@@ -125,7 +125,7 @@ Cache *cache_open(const char *path, uint64_t limit_bytes, const char **why)
     return cache;
 }
 
-/* True for an entry whose last recorded use is so old that it must be updated. */
+/* Returns true for an entry whose last recorded use is so old that it must be updated. */
 static bool is_stale(const struct stat *info)
 {
     struct timespec now;
@@ -263,7 +263,7 @@ static void settle(Cache *cache)
     if (!large && now - sums.scanned < CACHE_SCAN_AFTER)
         return;
     if (!cache_trim(cache->folder, cache->limit, &done)) {
-        /* takes the size that another, trimming process left */
+        /* assumes the size that another process, which is trimming, leaves */
         cache->total = cache_trimmed(cache->limit);
         return;
     }

@@ -166,7 +166,7 @@ static const char *word_asked(const CommandLine *line)
     return given && *given && strcmp(given, OPTIONS_SCHEMA) ? given : NULL;
 }
 
-/* True for queries about documents: --list=FILE, --list FILE..., --explain NAME FILE, and
+/* Returns true for queries about documents: --list=FILE, --list FILE..., --explain NAME FILE, and
  * --schema likewise. */
 static bool asks_of_documents(const CommandLine *line)
 {

@@ -199,7 +199,7 @@ void manifest_put(const Batch *b, Bytes *to)
     arena_free(&arena);
 }
 
-/* True for a file name that matc could have written. */
+/* Returns true for a file name that matc could have written. */
 static bool is_output(const char *name)
 {
     size_t size = strlen(name);

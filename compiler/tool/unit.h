@@ -46,7 +46,7 @@ int unit_pass(const MatcProgram *program);
 /* Copies from a program what outlives it. Buffered: the numbers are the members of its uniform
  * block; otherwise its places. */
 void unit_fill(Unit *unit, MatcProgram *program, bool buffered, const char *textures);
-/* Returns data about the written program. Buffered: as above. */
+/* Returns data about the written program. `buffered` as in unit_fill(). */
 Written *unit_written(MatcProgram *program, bool buffered);
 /* Return a number's component count, and whether it consists of words. */
 static inline int unit_components(const Unit *unit, int number)

@@ -60,7 +60,8 @@ typedef struct {
 
 /* Formats and resolution of a target's textures. */
 typedef struct {
-    const char *formats[FRAME_PLAN_TEXTURES + 1]; /* "RGBA16F"; NULL ends the list */
+    /* texture formats such as "RGBA16F"; NULL ends the list */
+    const char *formats[FRAME_PLAN_TEXTURES + 1];
     /* Resolution divisor per axis. */
     int coarse;
 } FrameForm;

@@ -31,8 +31,8 @@ enum { UNIFORMS_VIEW = 16 };
  * with *found empty; see gl->error. */
 bool uniforms_read(GlContext *gl, GLuint program, GlUniforms *found);
 void uniforms_free(GlUniforms *uniforms);
-/* Returns the index of a uniform; -1 if the program has none of that name, or the driver removed
- * it as unused. */
+/* Returns the index of a uniform; -1 if the program has none with the given name, or the driver
+ * removed it as unused. */
 int uniforms_find(const GlUniforms *uniforms, const char *name);
 
 /* Set a plain uniform of the current program, or write a member into its block. Floats are

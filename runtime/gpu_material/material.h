@@ -37,11 +37,11 @@ bool material_make(Store *store, MatcProgram *program, const ProgramText *text, 
 void material_delete(Material *material);
 
 /* Sets a uniform, plain or member of a block, for this material alone. Returns false if the
- * program has none of that name and number of components; that is no error, since a driver
+ * program has none with the given name and number of components; that is no error, since a driver
  * removes unused uniforms. */
 bool material_set(Material *material, const MaterialValue *value);
 bool material_set_number(Material *material, const char *name, float number);
-/* Reports whether the program has a uniform of that name. */
+/* Reports whether the program has a uniform with the given name. */
 bool material_has(const Material *material, const char *name);
 /* Adds a texture for a sampler; does nothing if the program has no such sampler. Returns false
  * on failure; see the context's error. */

@@ -15,7 +15,7 @@ enum {
  * target depth, which is linear along a line. */
 typedef struct {
     float x, y, depth;
-    float crease; /* 1: both sides of the line have the same depth; 0: a silhouette */
+    float crease; /* 1: a crease, whose sides have the same depth; 0: a silhouette */
 } EdgeEnd;
 
 typedef struct {

@@ -151,8 +151,8 @@ bool gpu_scene_view(GlContext *gl, const GpuSceneSource *source, GpuScene *gpu_s
 /* Applies new matrices of `count` objects from `first` on. */
 bool gpu_scene_move(GlContext *gl, const GpuSceneSource *source, GpuScene *gpu_scene, int first,
                     int count);
-/* Sets a uniform of a material. Returns false if none of its programs has a uniform of that name
- * and number of components. */
+/* Sets a uniform of a material. Returns false if none of its programs has a uniform with the
+ * given name and number of components. */
 bool gpu_scene_set(const GpuSceneSource *source, GpuScene *gpu_scene, int material,
                    const MaterialValue *value);
 /* Sorts the places into drawables, and writes all buffers. */

@@ -124,7 +124,7 @@ void view_space_parallels(const SceneCamera *camera, const int size[2], const Sc
     }
 }
 
-/* Transforms a point, w 1, or a direction, w 0. */
+/* Transforms a point (w 1) or a direction (w 0) to eye space. */
 static void to_eye(const ViewSpace *space, const double from[3], double w, float out[4])
 {
     const double *m = space->eye_from_world;

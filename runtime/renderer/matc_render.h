@@ -61,7 +61,7 @@ MATC_API const char *matc_scene_error(const MatcScene *scene);
  * it has none. */
 MATC_API const char *matc_scene_object_name(const MatcScene *scene, int object);
 /* Returns the first object after `after` (-1: the first of all) that has the name, or is in a
- * group of that name, such as "lamps"; -1 if none is left.
+ * group with the given name, such as "lamps"; -1 if none is left.
  *
  *     for (int i = -1; (i = matc_scene_find_object(scene, "lamps", i)) >= 0;)
  *         matc_scene_set_visible(scene, i, false); */

@@ -291,7 +291,7 @@ static double time_pass(Renderer *renderer, int pass)
 int renderer_time_passes(Renderer *renderer, RendererPassTime times[RENDERER_PASSES_MAX])
 {
     renderer->gl->Finish();
-    /* Draws kept maps again, so that their passes are measured like the others. */
+    /* Draws kept maps again, so that their passes are measured, too. */
     renderer->shadows->drawn = renderer->shadows->seen = renderer->voxels->drawn =
         renderer->radiance->drawn = false;
     for (int i = 0; i < frame_pass_count(); i++) {

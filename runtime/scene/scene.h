@@ -197,7 +197,7 @@ const char *scene_volume_name(Keyword word);
 /* Sets the shadow method of all lights that cast shadows; area lights support only shadow maps,
  * so other methods leave them unchanged. */
 void scene_lights_shadow(Scene *scene, Keyword method);
-/* Like the functions for the list Shadows, for the list Indirect. */
+/* Functions for the list Indirect, like those for the list Shadows. */
 bool scene_indirect_is(const Scene *scene); /* Reports whether the scene has indirect light. */
 bool scene_indirect_find(const char *name, Keyword *method);
 const char *scene_indirect_name(Keyword word);

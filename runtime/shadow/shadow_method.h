@@ -101,7 +101,7 @@ struct ShadowMethod {
     void (*look_place)(Renderer *renderer); /* called when the tile or the camera has moved */
     void (*look_draw)(Renderer *renderer);
 
-    /* Selects the variant of that keyword, for pictures side by side. False: no such variant. */
+    /* Selects a variant by its keyword, for pictures side by side. False: no such variant. */
     bool (*vary)(Scene *scene, Keyword variant);
 };
 

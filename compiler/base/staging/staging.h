@@ -22,8 +22,8 @@ typedef struct {
 /* Opens a folder. Returns NULL and *why (not to be freed) on failure. An interrupted commit of
  * an earlier process is finished first. */
 Staging *staging_open(const char *folder, unsigned how, const char **why);
-/* True if two stagings have the same folder, perhaps under different paths; the second must then
- * not be used. */
+/* Returns true if two stagings have the same folder, perhaps under different paths; the second
+ * must then not be used. */
 bool staging_same(const Staging *a, const Staging *b);
 /* Stages a file, on any thread; each name at most once. Returns NULL or a fault. */
 const char *staging_put(Staging *staging, const char *name, const void *bytes, size_t size);
@@ -32,7 +32,7 @@ const char *staging_put(Staging *staging, const char *name, const void *bytes, s
 const char *staging_put_index(Staging *staging, const char *name, const void *bytes, size_t size);
 /* Removes a staged file from the staging. */
 void staging_drop(Staging *staging, const char *name);
-/* True if the file is staged, to be moved into the folder. */
+/* Returns true if the file is staged, to be moved into the folder. */
 bool staging_holds(const Staging *staging, const char *name);
 /* Returns this run's files of the folder, sorted by name; from malloc. */
 StagingFile *staging_list(const Staging *staging, int *count);

@@ -70,8 +70,8 @@ const char *intents_write(const Stage *s, const Bytes *intents)
 
 void intents_withdraw(const Stage *s) { unlinkat(s->at, list_name, 0); }
 
-/* True if the file was changed after `time`, by somebody else than the ended process. False if
- * `time` is NULL. */
+/* Returns true if the file was changed after `time`, by somebody else than the ended process.
+ * False if `time` is NULL. */
 static bool is_newer(int folder, const char *name, const struct timespec *time)
 {
     struct stat info;

@@ -88,8 +88,8 @@ void stage_remove(Stage *s)
     stage_leave(s);
 }
 
-/* True if the error means that the file system has no locks. No other process can then lock and
- * remove the folder either. */
+/* Returns true if the error means that the file system has no locks. No other process can then
+ * lock and remove the folder either. */
 static bool has_no_locks(int error)
 {
     return error == ENOLCK || error == EOPNOTSUPP || error == ENOSYS || error == EBADF;

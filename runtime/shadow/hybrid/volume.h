@@ -91,7 +91,7 @@ void volume_cells_delete(Renderer *renderer);
 
 /* -- Debug views (volume_shown.c) -------------------------------------------------------------- */
 
-/* Finds a debug view by its name; NULL: not one of this technique. */
+/* Finds a debug view of the technique by its name; NULL: unknown. */
 const FrameLook *volume_shown_find(const char *name);
 /* Volumes in a debug view: made after the maps; updated for a new camera or tile; drawn to the
  * targets light and tools, with depth. */
