@@ -104,7 +104,7 @@ typedef struct {
     MatcReadFile read_file;   /* reads images and includes; NULL: the file system */
     void *user;               /* passed to read_file */
     const MatcLayout *custom; /* overrides `layout`; must outlive everything compiled with it */
-    MatcLinked *linked;       /* programs that share their text; NULL: no sharing */
+    MatcLinked *linked;       /* cache of linked vertex programs; NULL: no cache */
     /* Settings of warnings, separated by commas: "no-NAME,error=NAME,error". The last setting
      * that applies to a warning is effective. NULL (default): all warnings are reported.
      * matc_explain("warnings") */

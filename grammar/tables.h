@@ -221,7 +221,7 @@ typedef enum {
 enum { FUNCTION_COUNT = FN_FIRST_MAP + KIND_COUNT, FN_none = FUNCTION_COUNT };
 
 typedef struct {
-    const char *name; /* NULL: a map without a function */
+    const char *name; /* name of the function; NULL: a map without a function */
     Type result;
     int cost;
     const char *doc;
@@ -273,7 +273,7 @@ extern const InputRow input_table[INPUT_COUNT];
 /* An input that is the screen-space derivative of another. */
 typedef struct {
     Input input, of;
-    const char *by; /* GLSL function: "dFdx" or "dFdy" */
+    const char *by; /* name of the GLSL function: "dFdx" or "dFdy" */
 } ChangeRow;
 extern const ChangeRow change_table[];
 extern const int change_count;
@@ -299,7 +299,7 @@ typedef struct {
     const char *index;     /* built-in vertex index; NULL: none */
     const char *library;   /* suffix of the library files that only this target uses; NULL: none */
     int number;            /* number of the GLSL version */
-    int layout;            /* Layout: the default */
+    int layout;            /* default layout, a Layout */
     bool in_out, blocks, locations, words, spirv, srgb_textures, word_textures, borders,
         /* see the columns of targets.def */
         float_filters, storage, tessellation, geometry, compute;

@@ -92,7 +92,7 @@ static const char *sample_value(const ParamRow *param)
     }
 }
 
-/* Examples of materials omit displacement. */
+/* Returns true if an example shows the parameter: examples of materials omit displacement. */
 static bool is_in_example(const ParamRow *param, bool material)
 {
     static const char moves[] = "displacement";

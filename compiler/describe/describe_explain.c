@@ -190,7 +190,7 @@ static void explain_colors(const Query *q)
     }
 }
 
-/* The page on color spaces. */
+/* Writes the page on color spaces. */
 static void explain_color_spaces(const Query *q)
 {
     if (begins(q, "srgb"))

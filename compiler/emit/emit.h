@@ -71,7 +71,7 @@ const char *emit_compute(Session *session, const Job *job, const Interface *inte
 /* Returns GLSL that unpacks the layout: struct Surface, unpackTexels() for texel values,
  * unpackSurface() for a position. */
 const char *emit_unpack(Session *session, const Job *job);
-/* A generated program, as the reflection describes it. */
+/* A generated program in the form that the reflection describes. */
 typedef struct {
     const Interface *interface;
     const char *material, *opacity; /* the material's name, and its opacity class */

@@ -50,10 +50,10 @@ const char *emit_function_name(Session *session, const Ir *ir, int function)
     return name.at;
 }
 
-/* Functions named by the WRITE lines of ops.def; leaves first. */
+/* Writers named by the WRITE lines of ops.def; those of leaves come first. */
 static void put_const(Scope *e, Text *out, Ref ref) { emit_constant(out, e->ir, ref); }
 
-/* A screen-space derivative also needs its input. */
+/* Writes an input. A screen-space derivative also needs the input that is differentiated. */
 static void put_input(Scope *e, Text *out, Ref ref)
 {
     const Input input = (Input)ir_at(e->ir, ref)->payload;

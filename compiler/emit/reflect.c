@@ -156,7 +156,7 @@ static bool is_of_vertices(const Interface *interface, const MatcTexture *textur
                         : !chunks_declare(&interface->fragment_chunks, texture->name);
 }
 
-/* Number of mipmap levels down to one texel. */
+/* Returns the number of mipmap levels down to one texel. */
 static int level_count(const MatcTexture *t)
 {
     int count = 1;

@@ -14,7 +14,7 @@ bool emit_tessellation_stages(Session *session, const Job *job, const Interface 
                               EmitStages *made);
 bool emit_geometry_stages(Session *session, const Job *job, const Interface *interface,
                           EmitStages *made);
-/* The compute program is linked alone. */
+/* Emits the compute program, which is linked alone. */
 bool emit_compute_stage(Session *session, const Job *job, const Interface *interface,
                         EmitStages *made);
 #endif

@@ -18,7 +18,7 @@ static bool comes_back(const Job *job, Slot slot)
     return false;
 }
 
-/* The last case that is read; it needs no comparison. */
+/* Returns the last case that is read, which needs no comparison. */
 static int last_taken(const Job *job)
 {
     int last = job->layout->case_count - 1;

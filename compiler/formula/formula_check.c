@@ -295,7 +295,7 @@ static int width_of(Check *c, FormulaStep *step)
     }
 }
 
-/* A power with an exponent below 1 is infinitely steep at 0. */
+/* Returns true if a step jumps. A power with an exponent below 1 is infinitely steep at 0. */
 static bool jumps(const Formula *f, const FormulaStep *step)
 {
     if (step->kind != FORMULA_term || !term_table[step->row].jumps)

@@ -2,7 +2,8 @@
 #include "compiler/formula/formula_reader.h"
 #include <string.h>
 
-/* Index of a component by the set that contains all letters: w is index 2 in uvw, otherwise 3. */
+/* Returns the index of a component by the set that contains all letters: w is index 2 in uvw,
+ * otherwise 3. */
 static int component_of(const char *letters, char letter)
 {
     static const char *const sets[] = {"xyzw", "rgba", "uvw"};

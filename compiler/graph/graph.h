@@ -105,7 +105,7 @@ static inline const char *node_written_param(const Node *node, int i)
 
 typedef struct {
     Value value;       /* position in the blend, a Float */
-    const Node *input; /* NULL: the surface itself */
+    const Node *input; /* input of the map; NULL: the surface itself */
     Span span;
     int8_t width; /* components in which a formula reads the input; 0: the input's own */
     /* Set in a material translated from another model: the parameter is no color, whatever the
@@ -120,8 +120,8 @@ typedef struct Items {
 /* A Chain maps v to second(factor * first(v) + shift); other kinds are functions of waves.def. */
 struct Wave {
     WaveKind kind;
-    const Wave *first, *second; /* Chain only; NULL: identity */
-    Value factor, shift;        /* Chain only; Float */
+    const Wave *first, *second; /* waves of a Chain; NULL: identity */
+    Value factor, shift;        /* numbers of a Chain, each a Float */
     int length;                 /* number of waves applied to v in sequence; limited */
 };
 
@@ -136,7 +136,7 @@ typedef enum {
  * H02, H12 = shear. */
 typedef struct Transform {
     TransformKind kind;
-    Value scale;       /* Float for TRANSFORM_scale, Vec3 for components */
+    Value scale;       /* a Float for TRANSFORM_scale, a Vec3 for components */
     Value translation; /* translation, a Vec3 */
     Value rotation;    /* Euler angles in radians; a Vec3 */
     Value shear;       /* shear, a Vec3 */

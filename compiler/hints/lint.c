@@ -260,7 +260,7 @@ static void ask(LintFindings *d, const Node *reader, const Node *node, unsigned 
     d->reader[node->index] = reader;
 }
 
-/* Queries of a kind that has the parameter `dimensions`. */
+/* Returns the queries of a kind that has the parameter `dimensions`. */
 static unsigned asked_by_dimensions(const Node *node)
 {
     const KindRow *row = &kind_table[node->kind];
@@ -271,7 +271,7 @@ static unsigned asked_by_dimensions(const Node *node)
     return number[0] < 3 ? ASKED_uv : ASKED_xyz;
 }
 
-/* Queries that a formula makes of its point. */
+/* Returns the queries that a formula makes of its point. */
 static unsigned asked_of_point(const Node *node)
 {
     const Value *is = node_param(node, P_Expression_is);
@@ -290,7 +290,7 @@ static unsigned asked_by_math(unsigned asked)
     return asked & ASKED_slope ? ASKED_slope : ASKED_other;
 }
 
-/* Queries that a map makes of its input when the map itself is queried. */
+/* Returns the queries that a map makes of its input when the map itself is queried. */
 static unsigned asked_of_input(const Node *node, unsigned asked)
 {
     const KindRow *row = &kind_table[node->kind];
@@ -315,7 +315,7 @@ static unsigned asked_of_input(const Node *node, unsigned asked)
     }
 }
 
-/* Queries that a material or map makes of the map of a parameter. */
+/* Returns the queries that a material or map makes of the map of a parameter. */
 static unsigned asked_of_param(const Node *node, const ParamRow *param, unsigned asked)
 {
     if (section_of(node->kind) == SECTION_normal)

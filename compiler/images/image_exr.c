@@ -111,7 +111,7 @@ static int64_t on_read(exr_const_context_t exr, void *user, void *to, uint64_t s
     return (int64_t)count;
 }
 
-/* Size of a window in texels. */
+/* Returns the size of a window in texels. */
 static double width_of(const exr_attr_box2i_t *box) { return (double)box->max.x - box->min.x + 1; }
 static double height_of(const exr_attr_box2i_t *box) { return (double)box->max.y - box->min.y + 1; }
 

@@ -71,7 +71,7 @@ enum {
 };
 
 typedef struct {
-    uint8_t op, type, count; /* Op, Type, operands */
+    uint8_t op, type, count; /* an Op, a Type, and the number of operands */
     uint8_t flags;           /* set of NODE_ flags */
     uint32_t origin;         /* map or slot that created the node; for names and comments only */
     uint32_t first;          /* index of the node's first operand in args */
@@ -83,7 +83,7 @@ typedef struct {
  * times. */
 typedef struct {
     Ref result;
-    Ref *arguments; /* OP_argument nodes, in order */
+    Ref *arguments; /* OP_argument nodes of the function, in order */
     int count;
     uint32_t origin; /* map or slot that created the function */
     /* The previous function with this result, counted from 1; 0: none. Used by ir_function only. */

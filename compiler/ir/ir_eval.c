@@ -7,7 +7,7 @@ typedef struct {
     const Ir *ir;
     const ReferenceContext *context;
     const double (*inputs)[4];
-    const IrRounding *rounding; /* NULL: no rounding */
+    const IrRounding *rounding; /* rounding of results; NULL: none */
     Arena scratch;
 } Evaluator;
 

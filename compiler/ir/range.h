@@ -42,7 +42,8 @@ static inline bool range_is_found(const Ranges *r, Ref ref)
 Ranges range_find_below(const Ir *ir, Arena *arena, int components, const Ref *roots, int count);
 /* Returns true for operations whose intervals are exact, without rounding error. */
 bool range_is_exact(Op op);
-/* Interval of a component as stored, regardless of guards; and while the current guards hold. */
+/* Returns the interval of a component as stored, regardless of guards; and while the current
+ * guards hold. */
 static inline Interval range_kept(const Ranges *r, Ref ref, int component)
 {
     const RangePlace place = ref < r->count ? r->place[ref] : (RangePlace){0};
@@ -50,20 +51,22 @@ static inline Interval range_kept(const Ranges *r, Ref ref, int component)
                         : r->of[place.first + (place.by_component ? (uint32_t)component : 0)];
 }
 Interval range_guarded(const Ranges *r, const Ir *ir, Ref ref, int component);
-/* Interval of one component, or of their union if only that is stored. Nodes created after the
- * analysis are unbounded. Guards are consulted only for nodes that depend on a guarded node. */
+/* Returns the interval of one component, or of their union if only that is stored. Nodes created
+ * after the analysis are unbounded. Guards are consulted only for nodes that depend on a guarded
+ * node. */
 static inline Interval range_of(const Ranges *r, const Ir *ir, Ref ref, int component)
 {
     const bool guarded = r->guarded && ref < r->count && r->marks[ref] & r->guarded;
     return guarded ? range_guarded(r, ir, ref, component) : range_kept(r, ref, component);
 }
-/* Bit of a node that a condition compares; nodes share the 64 bits by their number modulo 64. */
+/* Returns the bit of a node that a condition compares; nodes share the 64 bits by their number
+ * modulo 64. */
 static inline uint64_t range_mark(Ref ref) { return 1ull << (ref & 63); }
 /* Creates an empty cache of guarded intervals. */
 struct Seen *range_seen_new(Arena *arena);
 /* Finds the intervals of a select's `components` components together, since they share its guards.
  */
 void range_select(const Ranges *r, const Ir *ir, Ref ref, int components, Interval *found);
-/* Interval that follows from the operands' intervals by the node's operation. */
+/* Returns the interval that follows from the operands' intervals by the node's operation. */
 Interval range_computed(const Ranges *r, const Ir *ir, Ref ref, int component);
 #endif

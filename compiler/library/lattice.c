@@ -64,7 +64,7 @@ static uint32_t mix_bits(uint32_t h)
     return h ^ (h >> 16);
 }
 
-/* The hash as a signed number, divided by 2^31. */
+/* Returns the hash as a signed number, divided by 2^31. */
 static double signed_bits(uint32_t h)
 {
     return (h < 0x80000000u ? (double)h : (double)h - 4294967296.0) / 2147483648.0;

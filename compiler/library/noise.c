@@ -30,7 +30,8 @@ static Statistics statistics(const void *context)
     }
 }
 
-/* Noise at (p + rest) times `scale`, and its gradient, which is 0 where the noise is clamped. */
+/* Returns noise at (p + rest) times `scale`, and its gradient, which is 0 where the noise is
+ * clamped. */
 static double noise_at(const void *context, const double p[3], const double rest[3], double scale,
                        double gradient[3])
 {

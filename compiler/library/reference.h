@@ -83,11 +83,11 @@ static inline double fraction(double v) { return v - floor(v); }
 #define REFERENCE_STEPS   65536
 #define WAVE_PHI          1.61803398874989484820
 
-/* Value-plus-gradient lattice noise: L_0 of semantics.md 3.1 with table offset 0 and its
- * gradient (slope may be NULL), and (L_0, L_8, L_16). */
+/* Returns the value-plus-gradient lattice noise: L_0 of semantics.md 3.1 with table offset 0 and
+ * its gradient (slope may be NULL), and (L_0, L_8, L_16). */
 double reference_lattice(ReferenceNoise noise, const double p[3], double slope[3]);
 void reference_lattice3(ReferenceNoise noise, const double p[3], double result[3]);
-/* The three outputs and the gradient of each output. */
+/* Computes the three outputs and the gradient of each output. */
 void reference_lattice_slope(ReferenceNoise noise, const double p[3], double result[3],
                              double slope[3][3]);
 /* GroIMP's tables: a permutation of 0..65535 and 512 numbers in [-1, 1). Built on first use;

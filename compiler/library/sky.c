@@ -49,7 +49,7 @@ static const double solar[] = {
     228.2, 223.4, 219.7, 215.3, 211.0, 207.3, 202.4, 198.7, 194.3, 190.7, 186.3, 182.6,
 };
 #define SOLAR_UNIT 100. /* factor that converts the table's radiance to W/(m2 nm sr) */
-/* Absorption coefficient of ozone, 1/cm. */
+/* Table of the absorption coefficient of ozone in 1/cm. */
 static const double ozone[][2] = {
     {355, 0},    {445, .003}, {450, .003}, {455, .004}, {460, .006}, {465, .008}, {470, .009},
     {475, .012}, {480, .014}, {485, .017}, {490, .021}, {495, .025}, {500, .03},  {505, .035},
@@ -76,7 +76,7 @@ static double curve_at(Curve curve, double nm)
     return 0;
 }
 
-/* A Gaussian with different widths below and above its peak. */
+/* Returns a Gaussian with different widths below and above its peak. */
 static double lobe(double nm, double peak, double below, double above)
 {
     double t = (nm - peak) / (nm < peak ? below : above);
@@ -107,7 +107,7 @@ static void rgb_of_xyz(const double xyz[3], double rgb[3])
 
 static double mean(const double rgb[3]) { return (rgb[0] + rgb[1] + rgb[2]) / 3; }
 
-/* Transmittance of sunlight through air of relative optical mass m. */
+/* Returns the transmittance of sunlight through air of relative optical mass m. */
 static double transmittance(double nm, double m, double turbidity)
 {
     const double ozone_depth = .35, water_depth = 2; /* thickness in cm */
@@ -190,8 +190,8 @@ static void radiance(double rows[SKY_ROWS][3], const double direction[3], double
     rgb_of_xyz(xyz, rgb);
 }
 
-/* Irradiance of the horizontal plane by the sky: midpoint rule over the half circle on one side
- * of the sun. */
+/* Returns the irradiance of the horizontal plane by the sky: midpoint rule over the half circle
+ * on one side of the sun. */
 static double sky_irradiance(double rows[SKY_ROWS][3])
 {
     double sum = 0, start = atan2(rows[SUN][1], rows[SUN][0]);

@@ -138,7 +138,7 @@ static bool is_affine(const IrNode *node)
     }
 }
 
-/* Products that overflow a float are not followed. */
+/* Returns true if a form is finite. Products that overflow a float are not followed. */
 static bool is_finite(const Line *line)
 {
     double greatest = fabs(line->offset);

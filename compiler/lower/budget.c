@@ -48,7 +48,7 @@ typedef struct {
     Arena arena;
     Session session;
     Lower lower;
-    Ir *ir;       /* NULL: lowering failed, or the IR was dropped */
+    Ir *ir;       /* IR of the trial; NULL: lowering failed, or the IR was dropped */
     MapList seen; /* the maps that may be averaged over the pixel */
     int below;    /* index below which maps are averaged */
     int cost;     /* cost of the program in operations, if `seen` has any map */

@@ -32,7 +32,7 @@ typedef struct {
     /* Variance within the pixel, per component, that the mean's slope does not account for; has
      * the value's type; 0: none. */
     Ref variance;
-    const struct Split *split; /* NULL: the value is not known to be one of two values */
+    const struct Split *split; /* two values between which the pixel is split; NULL: unknown */
 } MapValue;
 
 /* A value that is one of two everywhere in the pixel; nonlinear operations must be applied to

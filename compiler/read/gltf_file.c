@@ -19,7 +19,7 @@ struct GltfBeside {
 };
 
 struct GltfFile {
-    const Tree *root; /* NULL: it could not be read */
+    const Tree *root; /* JSON of the file; NULL: unreadable */
     const char *why;  /* reason why the file is faulty */
     const char *binary;
     size_t binary_size;

@@ -23,7 +23,7 @@ enum {
     CLAMP = 33071,
     MIRROR = 33648,
     REPEAT = 10497
-}; /* OpenGL constants, as samplers use them */
+}; /* values of OpenGL constants that samplers use */
 
 typedef struct {
     Session *session;

@@ -117,7 +117,7 @@ static bool resolve_holder(Resolver *r, const ParamRow *row, Tree *tree, Value *
                                     : resolve_node_param(r, row, tree, value);
 }
 
-/* A null value is treated as absent. */
+/* Resolves a parameter. A null value is treated as absent. */
 bool resolve_param(Resolver *r, const ParamRow *row, Tree *tree, Value *value)
 {
     if (tree_is_null(tree)) {

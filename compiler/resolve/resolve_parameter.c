@@ -33,7 +33,7 @@ static bool is_number(const Tree *tree)
     return tree->kind == TREE_scalar && tree_number(tree, &number);
 }
 
-/* A formula can replace any value made of numbers. */
+/* Returns true for a formula, which can replace any value made of numbers. */
 static bool is_formula(const Tree *tree)
 {
     return tree->kind == TREE_scalar && tree->text[0] == '=';

@@ -28,7 +28,7 @@ typedef struct {
     size_t size;
     /* Hash of everything that determines its materials' programs, except included files. */
     Key key;
-    MatcDocument *parsed; /* NULL while not needed */
+    MatcDocument *parsed; /* the parsed document; NULL while not needed */
     BatchMaterial *materials;
     Unit *units; /* units of all materials */
     int material_count;
@@ -86,7 +86,7 @@ typedef struct {
     Outputs folders;    /* all output folders of the run */
     /* Stagings of the folder and of --textures, possibly the same; NULL: not given. */
     Staging *staging, *textures;
-    MatcLinked *linked;    /* programs that share their text, for all options */
+    MatcLinked *linked;    /* cache of linked vertex programs, for all options */
     Cache *cache;          /* the cache; NULL: disabled */
     pthread_mutex_t mutex; /* guards the members below */
     /* Input files in the output folder, by their names there. */

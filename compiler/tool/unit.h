@@ -34,8 +34,9 @@ typedef struct Unit {
     char *own;
     UnitFiles *files; /* cached programs; NULL: none */
     int file_count;
-    bool changed;                    /* the cache entry does not list the last of `files` */
-    Written *written;                /* NULL: its program was not written for this material */
+    bool changed; /* the cache entry does not list the last of `files` */
+    /* data of the written program; NULL: not written for this material */
+    Written *written;
     struct Unit *next;               /* next unit of the program, in the order of the inputs */
     int program;                     /* index of the program, set last */
     int document, material, request; /* `request` is the index of the requested pass */
@@ -67,7 +68,7 @@ int *unit_offsets(const Unit *unit);
 const Key *unit_find_files(const Unit *unit, Key members);
 void unit_add_files(Unit *unit, Key members, Key files);
 
-/* Serialization; loading returns false for invalid bytes. */
+/* Serialize a unit; loading returns false for invalid bytes. */
 void unit_store(Bytes *to, const Unit *unit);
 bool unit_load(BytesReader *from, Unit *unit);
 void written_store(Bytes *to, const Written *written);

@@ -12,7 +12,7 @@ typedef struct {
     bool front;  /* the point is on the Pareto front: joined to the line and labeled */
     /* the point is labeled even if not on the front; a line is listed in the legend */
     bool named;
-    const char *label; /* NULL or "": no label */
+    const char *label; /* text at the point; NULL or "": no label */
     /* Line number from 1 to PLOT_LINES: points of the same number are joined in the order of x.
      * 0: no line. */
     int line;

@@ -80,11 +80,11 @@ typedef struct {
 const char *frame_format(const Renderer *renderer, FrameTarget target, int texture);
 /* Returns the bytes per pixel of a target. */
 int frame_bytes(const Renderer *renderer, FrameTarget target);
-/* Size of the target's textures along an axis, in texels. */
+/* Returns the size of the target's textures along an axis, in texels. */
 int frame_edge(const Renderer *renderer, FrameTarget target, int axis);
-/* Bytes per pixel of the target that lie in memory of earlier targets. */
+/* Returns the bytes per pixel of the target that lie in memory of earlier targets. */
 int frame_shared_bytes(const Renderer *renderer, FrameTarget target);
-/* Bytes per pixel of all targets, shared memory counted once. */
+/* Returns the bytes per pixel of all targets, shared memory counted once. */
 int frame_plan_bytes(const Renderer *renderer);
 /* Returns the target's textures and their memory classes for frame_plan(). */
 FramePlanTarget frame_plan_target(const Renderer *renderer, FrameTarget target);

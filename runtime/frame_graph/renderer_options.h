@@ -51,7 +51,7 @@ typedef struct {
     bool opaque;
     /* Full-screen passes are fragment programs even if compute programs are supported. */
     bool fragment;
-    const SurfaceModel *surface; /* BRDF of all materials; NULL: the layout's */
+    const SurfaceModel *surface; /* BRDF of all materials; NULL: that of the layout */
     bool unculled;               /* disables frustum culling: for tests */
 } RendererOptions;
 

@@ -27,10 +27,10 @@ typedef struct GlContext {
     /* true: core profile, with mandatory VAOs and GLSL from 1.40 on; false: compatibility
      * profile, with GLSL from 1.10 on */
     bool core;
-    int major, minor;      /* GL version */
-    const char *version;   /* GL_VERSION; the driver's text */
+    int major, minor;      /* version of GL */
+    const char *version;   /* string of GL_VERSION */
     const char *renderer;  /* string of GL_RENDERER */
-    const char *language;  /* GL_SHADING_LANGUAGE_VERSION: the highest one */
+    const char *language;  /* highest version, as GL_SHADING_LANGUAGE_VERSION */
     bool hardware;         /* the renderer is not one of Mesa's software renderers */
     int max_texture_size;  /* max edge of a texture or framebuffer, in texels */
     int max_texture_units; /* max samplers in a fragment program */

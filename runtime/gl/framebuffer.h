@@ -8,7 +8,7 @@ enum { FRAMEBUFFER_COLORS = 8 };
 typedef struct {
     int width, height;
     int color_count;     /* number of color targets, 0 to FRAMEBUFFER_COLORS */
-    GLenum color_format; /* GL_RGBA8, GL_RGBA16F, GL_RGBA32F, GL_RGBA32UI, ... */
+    GLenum color_format; /* format such as GL_RGBA8, GL_RGBA16F, GL_RGBA32F or GL_RGBA32UI */
     bool depth;          /* has a depth texture, GL_DEPTH_COMPONENT32F */
 } FramebufferSpec;
 

@@ -28,7 +28,8 @@ bool mat4_inverse(const Mat4 *a, Mat4 *inverse);
 Mat3 mat3_from_mat4(const Mat4 *a); /* Returns the upper left 3 x 3 matrix. */
 Mat3 mat3_multiply(const Mat3 *a, const Mat3 *b);
 
-/* Normal matrix of `a`: the inverse transpose of its upper left part, up to a positive factor,
- * so that a singular matrix is allowed. Transformed normals are not of unit length. */
+/* Returns the normal matrix of `a`: the inverse transpose of its upper left part, up to a
+ * positive factor, so that a singular matrix is allowed. Transformed normals are not of unit
+ * length. */
 Mat3 mat3_normal(const Mat4 *a);
 #endif

@@ -12,7 +12,7 @@ typedef struct {
     /* Tessellation of patches with three corners; both or none. */
     const char *control[PROGRAM_PIECES], *evaluation[PROGRAM_PIECES];
     const char *geometry[PROGRAM_PIECES];
-    /* Excludes all other stages. */
+    /* Texts of a compute stage, which excludes all other stages. */
     const char *compute[PROGRAM_PIECES];
     /* Name i is bound to vertex attribute i; NULL: the names of mesh.h. */
     const char *const *attributes;

@@ -42,7 +42,7 @@ static void sphere(int patch, double u, double v, ShapeVertex *vertex)
     put(vertex->tangentV, -PI * ca * sb, -PI * sa * sb, PI * cb);
 }
 
-/* P = (2u - 1, 2v - 1, 0). */
+/* Computes P = (2u - 1, 2v - 1, 0). */
 static void plane(int patch, double u, double v, ShapeVertex *vertex)
 {
     (void)patch;
@@ -52,7 +52,7 @@ static void plane(int patch, double u, double v, ShapeVertex *vertex)
     put(vertex->tangentV, 0, 2, 0);
 }
 
-/* P = n + (2u - 1) a + (2v - 1) b with a x b = n. */
+/* Computes P = n + (2u - 1) a + (2v - 1) b with a x b = n. */
 static void cube(int patch, double u, double v, ShapeVertex *vertex)
 {
     static const signed char faces[6][3][3] = {

@@ -16,7 +16,7 @@ typedef struct {
 
 typedef struct {
     GLuint array, buffer;
-    GLenum mode; /* GL_POINTS, GL_TRIANGLES, GL_TRIANGLE_STRIP */
+    GLenum mode; /* primitive: GL_POINTS, GL_TRIANGLES or GL_TRIANGLE_STRIP */
     int count;   /* number of vertices */
 } Field;
 
@@ -27,7 +27,7 @@ void field_delete(const GlContext *gl, Field *field);
 
 typedef struct {
     Target target;        /* GLSL version of the texts */
-    const char *fragment; /* NULL: the program's own */
+    const char *fragment; /* fragment program; NULL: the one of `program` */
     const char *library;  /* GLSL to link in addition; NULL: none */
 } FieldText;
 

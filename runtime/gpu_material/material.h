@@ -59,6 +59,6 @@ bool material_write(Material *material, const char *block, const void *bytes, si
 void material_use(Material *material);
 /* Uses a material directly after `before`: bindings that both share are kept. */
 void material_use_after(Material *material, const Material *before);
-/* Hash of a material's current program, textures, uniforms and constants. */
+/* Returns the hash of a material's current program, textures, uniforms and constants. */
 Key material_key(const Material *material);
 #endif

@@ -5,7 +5,7 @@
 #include "runtime/gl/screen.h"
 
 typedef struct {
-    const char *unpack; /* MATC_UNPACK; needed only during reader_make() */
+    const char *unpack; /* text of MATC_UNPACK; needed only during reader_make() */
     Target target;      /* GLSL version of `unpack` */
     const LayoutRow *layout;
     int width, height; /* size of the G-buffer */
@@ -14,7 +14,7 @@ typedef struct {
 typedef struct {
     Material program;
     Screen screen;
-    Framebuffer values;     /* RGBA32F: one slot */
+    Framebuffer values;     /* RGBA32F target of the selected slot */
     bool holds[SLOT_COUNT]; /* the layout stores the slot */
 } Reader;
 

@@ -11,9 +11,10 @@ _Static_assert((int)SCREEN_PASS_PIECES + 2 <= (int)PROGRAM_PIECES,
                "a head before them, an entry behind");
 
 typedef struct {
-    const char *body[SCREEN_PASS_PIECES]; /* GLSL, concatenated; NULL ends the list */
-    const char *format;                   /* format of the target, such as "RGBA16F" */
-    bool compute;                         /* use a compute program; needs GL 4.3 */
+    /* pieces of GLSL, which are concatenated; NULL ends the list */
+    const char *body[SCREEN_PASS_PIECES];
+    const char *format; /* format of the target, such as "RGBA16F" */
+    bool compute;       /* use a compute program; needs GL 4.3 */
     /* The body is passOver(): its result is blended over the target. */
     bool over;
     /* edge of a workgroup in pixels if the body has its own compute entry point; 0: it has none */

@@ -31,9 +31,9 @@ static void set_plane(const Spaces *spaces, const Mat4 *depth_from_world, Materi
     set(material, "matc_clipW", 4, w);
 }
 
-/* Matrix from which the vertex programs of planes and skies compute rays. With depth from 0 to 1
- * in any clip space, a ray is a point at depth 0, at infinity, and not a difference of points
- * that are as far from the origin as the camera. Parallel rays end at the plane. */
+/* Returns the matrix from which the vertex programs of planes and skies compute rays. With depth
+ * from 0 to 1 in any clip space, a ray is a point at depth 0, at infinity, and not a difference
+ * of points that are as far from the origin as the camera. Parallel rays end at the plane. */
 static Mat4 find_world_from_clip(const Spaces *spaces, const Mat4 *depth_from_world)
 {
     Mat4 result = mat4_identity();

@@ -120,7 +120,8 @@ static Key key_of_text(const char *text)
     return text ? key_of_bytes(text, strlen(text)) : (Key){0, 0};
 }
 
-/* Hash of a program: a hash of the hashes of all parts, so that parts are not confused. */
+/* Returns the hash of a program: a hash of the hashes of all parts, so that parts are not
+ * confused. */
 static Key key_of_program(const ProgramText *text)
 {
     const char *const *const stages[] = {text->vertex,  text->fragment,   text->compute,

@@ -37,7 +37,7 @@ const StoreItem *store_texture(Store *store, const TextureSpec *spec);
 /* Releases a reference to an object. Does nothing for NULL. */
 void store_drop(Store *store, const StoreItem *item);
 
-/* Numbers of objects in the store. */
+/* Return the numbers of objects in the store. */
 int store_program_count(const Store *store);
 int store_texture_count(const Store *store);
 #endif

@@ -18,7 +18,7 @@ typedef struct {
     EdgeMesh *meshes;
     int mesh_count;
     EdgeList *made;
-    float crease; /* EdgeEnd.crease of the lines that are added */
+    float crease; /* value of EdgeEnd.crease for added lines */
     bool fine;
 } EdgeLister;
 

@@ -13,7 +13,7 @@ typedef struct {
     Key *keys;
 } Known;
 
-/* Hash of an imported mesh's contents. */
+/* Returns the hash of an imported mesh's contents. */
 static Key shape_key(const Shape *shape)
 {
     const Key parts[] = {
@@ -54,7 +54,8 @@ static void add(Known *known, Key key, int number)
     hash_index_add(NULL, &known->index, (uint32_t)key.low, (uint32_t)number);
 }
 
-/* Hash of an object's mesh: objects with equal keys share a mesh, also with the next scene. */
+/* Returns the hash of an object's mesh: objects with equal keys share a mesh, also with the next
+ * scene. */
 static Key mesh_key(const Maker *m, const SceneObject *object)
 {
     double parts[SCENE_NUMBERS + 1] = {object->kind};

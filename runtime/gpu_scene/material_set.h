@@ -47,7 +47,7 @@ typedef struct {
 } MaterialSetUses;
 
 typedef struct {
-    MatcLayout *layout; /* NULL: a built-in layout */
+    MatcLayout *layout; /* read or automatic layout; NULL: a built-in one */
     /* Layout of the pass SET_SHEET: transmittance as three floats; NULL if no program has that
      * pass. */
     MatcLayout *sheet;

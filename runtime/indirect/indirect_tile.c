@@ -10,7 +10,8 @@
 /* Max guard band in pixels; a picture that needs more is not tiled. */
 enum { MARGIN_MAX = 192, AT_ONCE = -1 };
 
-/* Max length of a ray in screen space, or whose hit takes light from the screen; in world units. */
+/* Returns the max length of a ray in screen space, or whose hit takes light from the screen; in
+ * world units. */
 static double reach_of(const Renderer *renderer)
 {
     const unsigned reads = indirect_method(renderer)->reads;

@@ -9,7 +9,7 @@ shared float far_group[GROUP_NUMBERS]; // numbers of a group in the layout of pa
 
 int farCount() { return light_plain + light_points; }
 
-// Min and max transmittance of a spot's cone over the group.
+// Returns the min and max transmittance of a spot's cone over the group.
 vec2 farCone(int light, vec3 way, float ratio)
 {
     vec2 cone = lightTexel(light, LIGHT_CONE).xy;

@@ -22,7 +22,7 @@ typedef enum { LIGHTING_layers, LIGHTING_nearest, LIGHTING_around, LIGHTING_node
  * model and lighting.glsl. */
 enum { LIGHTING_PIECES = 7 };
 typedef struct {
-    const char *body[LIGHTING_PIECES]; /* NULL for unused pieces */
+    const char *body[LIGHTING_PIECES]; /* texts of the body; NULL for unused pieces */
     bool over;                         /* the body defines passOver() */
     int block;                         /* binding of a block, as in screen_pass.h */
     LightingOf of;

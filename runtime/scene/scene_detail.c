@@ -69,7 +69,7 @@ void scene_detail_find(const Scene *scene, const int size[2], SceneDetail *detai
     memcpy(detail->eyes[0].center, camera->position, sizeof camera->position);
 }
 
-/* Distance of a point from the segment a + t b, t from 0 to `most`. */
+/* Returns the distance of a point from the segment a + t b, t from 0 to `most`. */
 static double from_line(const double at[3], const double a[3], const double b[3], double most)
 {
     double way[3], near[3];

@@ -44,7 +44,8 @@ void scene_detail_find(const Scene *scene, const int size[2], SceneDetail *detai
 /* Returns the steps of the coarsest level whose silhouette is accurate enough, for a radius in
  * pixels. */
 int scene_detail_steps(SceneKind kind, double pixels);
-/* Index of a solid's steps in SceneObject.numbers; the solid must be a Sphere, Cylinder or Cone. */
+/* Returns the index of a solid's steps in SceneObject.numbers; the solid must be a Sphere,
+ * Cylinder or Cone. */
 static inline int scene_detail_number(SceneKind kind) { return kind == SCENE_Sphere ? 1 : 2; }
 /* A bounding sphere of an object in local space. */
 typedef struct {

@@ -45,7 +45,7 @@ const char *staging_remove(Staging *staging, const char *name, Key hash, bool *s
 char *staging_read(const Staging *staging, const char *name, const char **why);
 /* Carries out all moves and removals of all these folders, or none. Returns NULL or a fault. */
 const char *staging_commit(Staging *const *stagings, int count);
-/* Number of files that commits have moved. */
+/* Returns the number of files that commits have moved. */
 int staging_written(const Staging *staging);
 /* Discards uncommitted files and closes the staging. */
 void staging_close(Staging *staging);

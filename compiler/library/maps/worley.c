@@ -7,8 +7,8 @@ static const double farthest = 16777216;
 
 static uint32_t turned(uint32_t bits, int by) { return bits << by | bits >> (32 - by); }
 
-/* Hash over 2^32 - 1: mixes all but the last three numbers in threes, then applies the final mix
- * to the last three. */
+/* Returns the hash over 2^32 - 1: mixes all but the last three numbers in threes, then applies
+ * the final mix to the last three. */
 static double hashed(const double *numbers, int count)
 {
     static const int mixed[] = {4, 6, 8, 16, 19, 4}, last[] = {14, 11, 25, 16, 4, 14, 24};

@@ -26,7 +26,7 @@ float smoothWeight(SmoothPlace from, ivec2 pixel, float away)
     return near * turned * turned;
 }
 
-// Bounds of the picture in the source texture.
+// Returns the bounds of the picture in the source texture.
 ivec2 smoothLow() { return ivec2(indirectLow()) / INDIRECT_COARSE; }
 ivec2 smoothSize() { return (ivec2(indirect_picture.xy) + INDIRECT_COARSE - 1) / INDIRECT_COARSE; }
 
@@ -49,7 +49,7 @@ uniform float smooth_level;
 
 const float SMOOTH_NOISE = 3.0; // tolerated difference in standard deviations
 
-// Mean component of light, and ambient occlusion.
+// Returns the mean component of light, and ambient occlusion.
 vec2 smoothComponents(vec4 value) { return vec2(dot(value.xyz, vec3(1.0 / 3.0)), value.w); }
 
 vec2 smoothNoise(SmoothPlace from, ivec2 at)

@@ -34,7 +34,8 @@ vec3 radianceNormal(float packed_)
     return n; // the normal has |x| + |y| + |z| = 1 and is not normalized
 }
 
-// Number of a voxel's first node and, in the lowest 6 bits, the set of its sides; 0: no nodes.
+// Returns the number of a voxel's first node and, in the lowest 6 bits, the set of its sides; 0: no
+// nodes.
 uint radianceWord(ivec3 at)
 {
     if (any(lessThan(at, ivec3(0))) || any(greaterThanEqual(at, ivec3(radiance_size)))) return 0u;
@@ -60,9 +61,9 @@ void radianceAdd(int node, vec3 point, vec3 way, inout RadianceSum sum)
     sum.weight += share;
 }
 
-// Light at a ray's end. A ray that begins in a full voxel and meets another surface there, as in a
-// corner, ends there: t is 0. If nodes are coarser than the map, their rays may have missed the
-// surface at the end: then the adjacent voxels are read, too.
+// Returns the light at a ray's end. A ray that begins in a full voxel and meets another surface
+// there, as in a corner, ends there: t is 0. If nodes are coarser than the map, their rays may have
+// missed the surface at the end: then the adjacent voxels are read, too.
 RadianceSum radianceEnd(inout RadianceRay ray)
 {
     const float beside = 0.01;

@@ -22,8 +22,8 @@ uint radianceNumber()
         gl_LocalInvocationIndex;
 }
 
-// Position of a node in voxels, `size` along an edge: on the line along the node's axis through the
-// voxel's center, at the stored depth.
+// Returns the position of a node in voxels, `size` along an edge: on the line along the node's axis
+// through the voxel's center, at the stored depth.
 vec3 radiancePlace(uint node, int size)
 {
     int voxel = int((radiance_nodes[node] & RADIANCE_PLACE) >> 3),

@@ -31,7 +31,7 @@ static bool turns_bits(const IndirectSequence *of)
     return of->rotation == KEYWORD_Rotation_tile && of->sequence == KEYWORD_Sequence_sobol;
 }
 
-/* Number of vectors of the block that hold shifts. */
+/* Returns the number of vectors of the block that hold shifts. */
 static int shifts_of(const IndirectSequence *of)
 {
     const int edge = indirect_sequence_edge(of);

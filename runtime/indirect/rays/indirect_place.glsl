@@ -15,7 +15,7 @@ layout(std140) uniform Indirect {
 
 bool indirectIsOrthographic() { return indirect_view.y > 0.0; }
 
-// Eye-space point of a pixel's surface; depth > 0.
+// Returns the eye-space point of a pixel's surface; depth > 0.
 vec3 indirectPoint(ivec2 pixel, float depth)
 {
     vec3 ray = vec3((vec2(2 * pixel + 1) - indirect_ray.zw) * indirect_ray.xy, -1.0);
@@ -23,7 +23,7 @@ vec3 indirectPoint(ivec2 pixel, float depth)
         : ray * (indirect_view.x / depth);
 }
 
-// Position in the picture of a point before the eye.
+// Returns the position in the picture of a point before the eye.
 vec2 indirectPlace(vec3 point)
 {
     vec2 flat_ = indirectIsOrthographic() ? point.xy : point.xy / -point.z;
@@ -37,7 +37,7 @@ bool indirectIsShown(vec2 place)
     return all(greaterThanEqual(place, indirectLow())) && all(lessThan(place, indirect_picture.xy));
 }
 
-// Width of a pixel in eye-space units, at a point.
+// Returns the width of a pixel in eye-space units, at a point.
 float indirectPixelSize(vec3 point)
 {
     return 2.0 * indirect_ray.x * (indirectIsOrthographic() ? 1.0 : -point.z);
@@ -145,7 +145,7 @@ vec3 indirectDirection(vec2 s)
     return vec3(r * cos(turn), r * sin(turn), z);
 }
 
-// Occlusion by a hit at a share t of the ray length, in [0, 1].
+// Returns the occlusion by a hit at a share t of the ray length, in [0, 1].
 float indirectWeight(float t)
 {
 #ifdef INDIRECT_WEIGHT_linear
@@ -185,8 +185,8 @@ uniform sampler2D indirect_light;
 uniform sampler2D indirect_before; // light of the previous bounces
 #endif
 
-// Radiance that a pixel's surface sends against the direction `way`, with previous bounces; 0 if
-// its visible side faces away.
+// Returns the radiance that a pixel's surface sends against the direction `way`, with previous
+// bounces; 0 if its visible side faces away.
 vec3 indirectSent(ivec2 pixel, vec3 way)
 {
     if (dot(indirectNormal(pixel), way) >= 0.0) return vec3(0.0);

@@ -4,7 +4,8 @@ layout(std140) uniform IndirectPlanes {
     vec4 indirect_planes[INDIRECT_PLANES]; // planes in eye space: dot(plane, vec4(point, 1)) = 0
 };
 
-// Signed distance of a point from a plane, times the plane's scale; exactly 0 within rounding.
+// Returns the signed distance of a point from a plane, times the plane's scale; exactly 0 within
+// rounding.
 float indirectOffPlane(vec4 plane, vec3 point)
 {
     const float rounding = 4e-6;

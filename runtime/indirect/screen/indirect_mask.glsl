@@ -24,7 +24,7 @@ struct IndirectSlice {
     float g, left, all; // the normal's angle; the integral up to `sight`; the whole integral
 };
 
-// Position of an angle among the sectors, from 0 to 32.
+// Returns the position of an angle among the sectors, from 0 to 32.
 float indirectSector(IndirectSlice slice, float t)
 {
     t = clamp(t, slice.g - 1.57079632679490, slice.g + 1.57079632679490);
@@ -32,7 +32,7 @@ float indirectSector(IndirectSlice slice, float t)
     return 32.0 * clamp((t < 0.0 ? slice.left - p : slice.left + p) / slice.all, 0.0, 1.0);
 }
 
-// Angle from the line of sight, times `side`: 0 to pi in absolute value.
+// Returns the angle from the line of sight, times `side`: 0 to pi in absolute value.
 float indirectAngle(vec3 way, IndirectSlice slice, float side)
 {
     return side * atan(max(side * dot(way, slice.aside), 0.0), dot(way, slice.sight));

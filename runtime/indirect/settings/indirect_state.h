@@ -36,7 +36,7 @@ typedef struct {
 
 /* State of the passes. */
 struct FrameIndirect {
-    const IndirectMethod *method; /* NULL: the scene has no indirect light */
+    const IndirectMethod *method; /* method of the rays; NULL: the scene has no indirect light */
     IndirectHistory history;
     IndirectMoving moving;
     Framebuffer between; /* intermediate à-trous levels: the target ao, or a part of it */

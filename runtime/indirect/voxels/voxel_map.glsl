@@ -36,17 +36,17 @@ vec3 voxelDirection(vec3 eye)
     return mat3(voxel_from_eye) * eye;
 }
 
-// Start of a ray from a surface with a unit normal: above it by half a voxel's width along the
-// normal, so that full voxels of a flat body, whose centers lie below the surface, are not in the
-// ray's way. If the scene has open meshes, whose full voxels have centers on either side, the
-// offset is a little larger.
+// Returns the start of a ray from a surface with a unit normal: above it by half a voxel's width
+// along the normal, so that full voxels of a flat body, whose centers lie below the surface, are
+// not in the ray's way. If the scene has open meshes, whose full voxels have centers on either
+// side, the offset is a little larger.
 vec3 voxelStart(vec3 place, vec3 normal)
 {
     return place + voxel_off * dot(abs(normal), vec3(1.0)) * normal;
 }
 
-// Number of a brick of a level. The bricks of all coarser levels number a sum of powers of 8, one
-// bit per level, selected by the mask.
+// Returns the number of a brick of a level. The bricks of all coarser levels number a sum of powers
+// of 8, one bit per level, selected by the mask.
 int voxelBrickNumber(ivec3 at, int level)
 {
     int edge = voxel_size >> (level + 2);
@@ -111,7 +111,7 @@ bool voxelSetOut(vec3 from, vec3 direction, float far, out VoxelWay way)
         way.most >= 0.0;
 }
 
-// Lengths along the ray to a plane across each axis.
+// Returns the lengths along the ray to a plane across each axis.
 vec3 voxelCrossings(VoxelWay way, vec3 planes)
 {
     VOXEL_EXACT vec3 lengths = (planes - way.start) * way.over;
