@@ -15,7 +15,7 @@ extern const int translation_count;
 
 typedef struct {
     int param;           /* index in param_table */
-    const char *formula; /* nothing is lost if it is 0 */
+    const char *formula; /* value 0: the translation loses nothing */
     const char *what;
 } LossRow;
 extern const LossRow loss_table[];

@@ -12,7 +12,7 @@ enum {
     RANDOM_COUNT = 512, /* size of GroIMP's table */
     RANDOM_STEP = 8,    /* table offset between outputs */
     PRIME = 761,        /* modulus of the float hash */
-    PRIME_STEP = 17     /* added to a float hash before it is permuted again */
+    PRIME_STEP = 17     /* constant added to a float hash before the hash is permuted again */
 };
 #define GROIMP_SEED   123456789
 #define SIMPLEX_SCALE 71.0

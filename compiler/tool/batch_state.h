@@ -26,7 +26,8 @@ typedef struct {
     const char *path;
     char *text; /* text of the document, kept while the document and its materials are compiled */
     size_t size;
-    /* Hash of everything that determines its materials' programs, except included files. */
+    /* Hash of everything that determines the programs of the document's materials, except included
+     * files. */
     Key key;
     MatcDocument *parsed; /* the parsed document; NULL while not needed */
     BatchMaterial *materials;

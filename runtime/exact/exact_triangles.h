@@ -11,7 +11,7 @@ typedef struct {
 
 typedef struct {
     int object;       /* index in Scene.objects */
-    int first, count; /* range of its triangles */
+    int first, count; /* range of the object's triangles */
     ExactBox box;     /* bounding box */
 } ExactObject;
 

@@ -19,7 +19,7 @@ enum {
     MESH_ATTRIBUTE_displacementTexcoord,
     MESH_ATTRIBUTE_displacementTangentU,
     MESH_ATTRIBUTE_displacementTangentV,
-    /* Position before displacement; that of a shape that is not displaced is its position. */
+    /* Position before displacement; for shapes without displacement, the position. */
     MESH_ATTRIBUTE_basePosition,
     MESH_ATTRIBUTE_end
 };

@@ -92,7 +92,7 @@ static void osmesa_close(void *state)
 {
     Osmesa *o = state;
     if (o->context)
-        o->destroy(o->context); /* Mesa also makes it no longer current */
+        o->destroy(o->context); /* also unbinds the context if it is current */
     free(o);
 }
 

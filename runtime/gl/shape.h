@@ -13,7 +13,8 @@ typedef enum {
     SHAPE_sphere,
     SHAPE_plane, /* [-1, 1] squared in z = 0, facing up; u along x, v along y */
     SHAPE_cube,  /* [-1, 1] cubed; every face has u and v from 0 to 1, v upwards on the sides */
-    /* around the z axis; u around the axis, v around the tube, from its outer rim upwards */
+    /* torus around the z axis; u runs around the axis, v around the tube from its outer rim
+     * upwards */
     SHAPE_torus,
     /* A curtain with folds, [-1, 1] along x and z; u along x, v upwards, v = 1 at the upper hem. */
     SHAPE_cloth,

@@ -53,7 +53,7 @@ static bool declares(const char *fragment, const InputRow *row)
     return strstr(fragment, text) != NULL;
 }
 
-/* Location of an input in GLSL with locations: its index among the varyings. */
+/* Returns the location of an input in GLSL with locations: the input's index among the varyings. */
 static int location(int input)
 {
     int count = 0;

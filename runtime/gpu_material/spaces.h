@@ -24,6 +24,6 @@ typedef struct {
 
 /* Sets all transforms that the material's program reads. */
 void spaces_set(const Spaces *spaces, Material *material);
-/* Reports whether its program reads the time. */
+/* Reports whether the material's program reads the time. */
 bool spaces_by_time(const Material *material);
 #endif

@@ -21,7 +21,7 @@ typedef struct {
      * transmit more than half of the light; -1: none. */
     int cut;
     MatcProgram *program; /* the program's constants, textures and uniforms */
-    /* Index of the program with the shared text: this one, or an earlier one. */
+    /* Index of the program that has the shared text: this program, or an earlier one. */
     int text;
     int next;         /* next program with the same text; -1: none */
     int row;          /* index among the programs of that text */
@@ -33,7 +33,7 @@ typedef struct {
 /* Kinds of shadows that transparent surfaces cast. */
 typedef enum {
     SET_CASTS_none, /* transparent surfaces cast no shadows */
-    /* Like opaque ones where they transmit at most half of the light; elsewhere not. */
+    /* opaque shadows where a surface transmits at most half of the light; no shadow elsewhere */
     SET_CASTS_cut,
     SET_CASTS_colored /* shadows are colored by the surfaces' transmittance */
 } MaterialSetCasts;

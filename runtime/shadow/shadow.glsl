@@ -100,7 +100,8 @@ vec3 shadowOffFace(vec3 place, int face)
 }
 
 #ifdef SHADOW_GLASS
-// Return a texel list's first node, a node's next node, or 0; a node's depth and transmittance.
+// Return the first node of a texel's list, and the node after a node; 0: none. Further functions
+// return a node's depth and transmittance.
 uint shadowNode(uint number) { return number == 0u ? 0u : glass_heads + (number - 1u) * 4u; }
 
 uint shadowList(uvec2 place) { return shadowNode(glass_words[place.y * glass_part.z + place.x]); }

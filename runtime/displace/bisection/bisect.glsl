@@ -300,7 +300,7 @@ Corners bisectParent(uint number, Corners t)
 // The `count` triangles at edge a b of a triangle, with or without the triangle itself.
 struct Ring {
     uint first, count; // range of the members; first BISECT_NONE: the edge is inside the base
-    int depth;         // depth of the triangles with this edge as their edge a b
+    int depth;         // depth of the triangles of which this edge is the edge a b
     ivec3 beyond;      // for an edge inside the base: three times a point of the neighbor
     int weight;        // edge not inside the base: sum of both ends' weights at the earlier place
 };

@@ -91,7 +91,7 @@ bool indirectShownNear(IndirectOrigin origin, vec3 way, float less, inout Indire
 }
 #endif
 
-// Hit in voxels, and the cached radiance there.
+// Finds the hit of a ray in voxels, and the cached radiance at the hit.
 bool indirectVoxel(IndirectOrigin origin, vec3 way, inout IndirectHit hit)
 {
     float t, radius = indirect_reach.x;

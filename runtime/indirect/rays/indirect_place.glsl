@@ -166,14 +166,14 @@ vec3 indirectNormal(ivec2 pixel)
 #endif
 }
 
-// Hit of a ray.
+// The hit of a ray: its distance, the pixel that shows it, and further radiance.
 struct IndirectHit {
     float t;     // distance as a share of the ray length; < 0: no hit
     ivec2 pixel; // pixel that shows the hit; < 0: none
     vec3 sent;   // radiance from the radiance cache, added to the pixel's
 };
 
-// Pixel of the picture from which a pixel of the ray pass traces its rays.
+// Returns the pixel of the picture from which a pixel of the ray pass traces its rays.
 ivec2 indirectPixel(ivec2 small)
 {
     return min(small * INDIRECT_COARSE + INDIRECT_COARSE / 2, ivec2(indirect_picture.xy) - 1);
