@@ -34,7 +34,7 @@ typedef struct {
     uint16_t *size;
     uint8_t *done;    /* per Ref: the node's statement is written or not needed */
     int number;       /* number of the scope, from 1 */
-    Naming *naming;   /* indexed by origin */
+    Naming *naming;   /* names of temporaries, indexed by origin */
     FreshNames fresh; /* temporaries of the scope */
     Names constants;  /* members of the constants' uniform block */
     Lines *lines;     /* line tables, indexed by source */

@@ -22,7 +22,7 @@ typedef struct {
 } MemoRow;
 typedef struct {
     NodeNumbers nodes;
-    MemoRow *rows; /* indexed by node number */
+    MemoRow *rows; /* cached values, indexed by node number */
     size_t capacity;
 } Memo;
 
@@ -50,9 +50,9 @@ struct Oracle {
     float **reliefs; /* indexed by node number: a Carpenter's texels; NULL until first read */
     size_t relief_capacity;
     NodeNumbers turned;
-    SlopeTurn *turns; /* indexed by node number */
+    SlopeTurn *turns; /* transforms of slopes, indexed by node number */
     size_t turn_capacity;
-    Memo *memos; /* indexed by nesting depth of environments */
+    Memo *memos; /* caches of map values, indexed by nesting depth of environments */
     size_t memo_count, memo_capacity;
     OracleSky sky;        /* coefficients for the last SunSkyLight */
     Choice derivatives;   /* method by which BumpMap computes slopes */

@@ -154,9 +154,10 @@ typedef struct Scene {
     /* Factor of the sky's radiance that lights the scene; the sun of a SunSkyLight is one of the
      * lights. */
     double sky_light[3];
-    SceneKind tone;         /* kind of tone mapping, from the sort toneMapping */
-    double exposure;        /* exposure factor; 1 if the kind has none */
-    double tone_numbers[4]; /* ReinhardDevlin: its parameters; Drago: bias; Shoulder: knee */
+    SceneKind tone;  /* kind of tone mapping, from the sort toneMapping */
+    double exposure; /* exposure factor; 1 if the kind has none */
+    /* numbers of the tone mapping: ReinhardDevlin, its parameters; Drago, bias; Shoulder, knee */
+    double tone_numbers[4];
     /* Backdrop of pixels without a surface; with both, tiles appear only behind transparent
      * surfaces. */
     bool tiles, glow;

@@ -23,13 +23,13 @@ struct SceneDisplacer {
     Keyword method;     /* a KEYWORD_Displacing_... value, such as KEYWORD_Displacing_mesh */
     bool processor;     /* the GPU cannot displace */
     SceneViewSet seen;  /* cameras on which subdivision depends, if any */
-    MatcMoves *moves;   /* indexed by material */
+    MatcMoves *moves;   /* what displacement depends on, indexed by material */
     SceneDetail detail; /* views on which detail depends, if any */
     SceneBall *balls;   /* bounding spheres of imported meshes */
     /* Indexed by material: max displacement, infinite if detail does not depend on the picture;
      * NULL: detail never does. */
     double *bounds;
-    SceneBase *bases; /* indexed by object */
+    SceneBase *bases; /* shapes before displacement, indexed by object */
     Key *keys;        /* indexed by mesh of the scene: hash of its source */
     int *users;       /* indexed by mesh: number of objects that use the mesh */
     int first;        /* index of the first displaced mesh */

@@ -99,7 +99,7 @@ static double far_from(const double at[3], const double low[3], const double hig
     return sqrt(square);
 }
 
-/* Margin of a shadow map: its filter, and the offset of points before the lookup. */
+/* Returns the margin of a shadow map: its filter, and the offset of points before the lookup. */
 static double spread_of(const SceneFrustums *sight, const SceneLight *light,
                         const SightTriangle *moved, double reach)
 {

@@ -35,7 +35,7 @@ typedef struct {
 typedef struct {
     ShadowView *views;
     int count;
-    ShadowLight *lights; /* indexed by light of the scene */
+    ShadowLight *lights; /* ranges of views, indexed by light of the scene */
 } ShadowViews;
 
 /* Makes views for a picture of that size, to which cascades are fitted; `methods` are the rows

@@ -31,9 +31,9 @@ struct Staging {
     bool begun;      /* the list of intents is on disk, and the folder is locked */
     Stage stage;
     StringSet names;
-    StagedFile *files; /* indexed by the number of the name */
+    StagedFile *files; /* files of the run, indexed by the number of the name */
     StringSet stale;
-    Key *stale_hashes; /* indexed by the number of the stale name */
+    Key *stale_hashes; /* hashes of stale files, indexed by the number of the stale name */
     Bytes intents;
     int moves, written;
     pthread_mutex_t mutex; /* guards the members above */

@@ -34,7 +34,7 @@ typedef struct {
 struct FrameVoxels {
     VoxelGrid grid;
     int layers, levels; /* size of the map; coarser levels exist for views only */
-    VoxelShape *shapes; /* indexed by mesh of the GPU scene */
+    VoxelShape *shapes; /* measurements, indexed by mesh of the GPU scene */
     /* Indexed by place of the GPU scene: 0, a surface; VOXELS_FINE, a surface of small
      * triangles; else a body, and the wave in which it is drawn. Bodies of one wave do not
      * overlap, since overlaps would cancel out. */

@@ -19,7 +19,7 @@ typedef struct {
     GLuint extents;   /* buffer for the extents of a view's crossings while they are found */
     /* buffers of the edges of all meshes, and of the numbers of the objects in a view */
     GLuint edges, places;
-    SilhouetteMesh *meshes; /* indexed by mesh of the GPU scene */
+    SilhouetteMesh *meshes; /* ranges of edges, indexed by mesh of the GPU scene */
     int edge_count;
     Material find, pack;
 } Silhouettes;
