@@ -130,7 +130,7 @@ bool choice_set(MatcOptions *options, const char *name, const char *value)
 {
     const TextOption *option = text_option(name);
     if (!option || option->member + sizeof value > options->size)
-        return false; /* unknown option, or missing in the caller's version */
+        return false; /* the option is unknown, or missing in the caller's version */
     memcpy((char *)options + option->member, &value, sizeof value);
     return true;
 }
@@ -177,7 +177,8 @@ bool matc_options_set(MatcOptions *options, const char *name, const char *value)
         return false;
     if (!strcmp(name, "warnings"))
         return set_warnings(options, value);
-    if (value && choice_values(name, &values)) /* the table's string outlives the caller's */
+    /* stores the table's string, which outlives the caller's */
+    if (value && choice_values(name, &values))
         value = values.name(values.user, index_of(value, name));
     return choice_set(options, name, value);
 }
@@ -219,7 +220,7 @@ bool choice_is_set(const MatcOptions *options)
     return options->size >= offsetof(MatcOptions, optimize);
 }
 
-/* Returns the first option with an unknown value, or NULL. */
+/* Returns the first option with an unknown value; NULL: none. */
 static const char *fault_of(const MatcOptions *o)
 {
     if (o->custom && !o->custom->row)

@@ -13,7 +13,7 @@
 const TargetRow *choice_target(const MatcOptions *options);
 /* Returns the values of an option ("aa": auto, none, ...). Returns false for an unknown option. */
 bool choice_values(const char *option, NameChoice *values);
-/* Returns the value that an option was given, or NULL. */
+/* Returns the value of an option; NULL: not given. */
 const char *choice_value(const MatcOptions *options, const char *option);
 /* Sets an option like matc_options_set, but without checking the value: values such as
  * "gbuffer,shadow" and the path of a layout are interpreted later. */
@@ -26,8 +26,8 @@ void choice_store_options(Bytes *to, const MatcOptions *options);
 /* Returns the options of a caller that may have been compiled with fewer or more members:
  * missing members get their defaults. */
 MatcOptions choice_whole_options(const MatcOptions *given);
-/* True if the options were initialized by matc_options_init of any library version with this
- * number. */
+/* Returns true if the options were initialized by matc_options_init of any library version with
+ * this number. */
 bool choice_is_set(const MatcOptions *options);
 /* Reports options that were not initialized by matc_options_init. Returns false if nothing may
  * be read or compiled. */

@@ -78,7 +78,7 @@ double compile_displacement_bound(const Ir *ir)
     return size * (1 + DISPLACEMENT_SLACK);
 }
 
-/* The host culls by this bound: warns when it is infinite. */
+/* Warns if the displacement bound, by which the host culls, is infinite. */
 static void lint_bound(Session *session, const Ir *ir)
 {
     if (!ir->displaced || isfinite(compile_displacement_bound(ir)))

@@ -10,10 +10,10 @@ struct MatcDocument {
     MatcOptions options;
     Session session;
     Tree *tree;
-    Graph *graph; /* NULL: the document has faults */
+    Graph *graph; /* graph of the document; NULL: the document has faults */
 };
 
-/* Text -> Tree, without a graph. */
+/* Parses a text to a Tree, without a graph. */
 MatcDocument *document_read(const char *name, const char *text, size_t size,
                             const MatcOptions *options);
 /* Tree -> Graph; the tree is the document's own, or its materials alone. May be NULL. */

@@ -96,7 +96,7 @@ bool evaluate_material(const MatcDocument *d, int material, const MatcOptions *o
     return known;
 }
 
-/* Evaluates the slots at a point given as text. Returns a fault, or NULL. */
+/* Evaluates the slots at a point given as text. Returns NULL, or a fault. */
 static const char *evaluate(const MatcDocument *d, int material, const char *point,
                             const MatcOptions *options, SlotValues *values)
 {
@@ -159,7 +159,7 @@ char *matc_eval(const MatcDocument *d, int material, const char *point, const Ma
     return result;
 }
 
-/* True if a displacement reads inputs that change when the object moves. */
+/* Returns true if a displacement reads inputs that change when the object moves. */
 static bool reads_world(const Ir *ir)
 {
     Arena arena = {0};
@@ -231,7 +231,7 @@ static bool has_material(const MatcDocument *d, int material)
     return material >= 0 && material < matc_material_count(d);
 }
 
-/* True for a valid list: empty, or a pointer and a positive count. */
+/* Returns true for a valid list: empty, or a pointer and a positive count. */
 static bool is_list(const void *points, int count) { return count == 0 || (points && count > 0); }
 
 /* Opens the oracle of a document with the options; NULL if they are invalid. */

@@ -60,30 +60,36 @@ typedef char *(*MatcReadFile)(void *user, const char *path, size_t *size, const 
 /* Options, with the names of the command line; NULL selects the default. Initialize by
  * matc_options_init, then change members. */
 typedef struct {
-    size_t size;        /* sizeof(MatcOptions) of the calling program, in bytes */
-    const char *target; /* "glsl110", "glsl330" (default), "glsl450", "essl300", "spirv" */
-    /* "gbuffer" (default), "plane", "sky", "shadow", "depth", "value", "displacement" */
+    size_t size; /* sizeof(MatcOptions) of the calling program, in bytes */
+    /* target language: "glsl110", "glsl330" (default), "glsl450", "essl300", "spirv" */
+    const char *target;
+    /* pass of the program: "gbuffer" (default), "plane", "sky", "shadow", "depth", "value",
+     * "displacement" */
     const char *pass;
     const char *slot; /* slot of the pass "value": "diffuse" (default), "normal", ... */
-    /* "compact" (default; "thin" for glsl110), "thesis", "radix", "integer", ... */
+    /* G-buffer layout: "compact" (default; "thin" for glsl110), "thesis", "radix", "integer",
+     * ... */
     const char *layout;
-    /* "fast" (default), "balanced", "exact": sets the following choices that are NULL */
+    /* precision, which sets the following choices that are NULL: "fast" (default), "balanced",
+     * "exact" */
     const char *precision;
-    const char *noise;        /* "lattice" (default), "groimp", "simplex" */
-    const char *aa;           /* "auto" (default), "none", "box", "aniso" */
-    const char *derivatives;  /* "auto" (default), "finite", "analytic" */
-    const char *coordinates;  /* "plain" (default), "long" */
-    const char *powers;       /* "squaring" (default), "pow", "compensated" */
-    const char *trigonometry; /* "native" (default), "bounded" */
+    const char *noise;       /* noise: "lattice" (default), "groimp", "simplex" */
+    const char *aa;          /* antialiasing: "auto" (default), "none", "box", "aniso" */
+    const char *derivatives; /* slopes of maps: "auto" (default), "finite", "analytic" */
+    /* precision of coordinates for noise and checkers: "plain" (default), "long" */
+    const char *coordinates;
+    const char *powers;       /* integer powers: "squaring" (default), "pow", "compensated" */
+    const char *trigonometry; /* sine and cosine: "native" (default), "bounded" */
     const char *
         /* "baked" (default; also "auto", which applies to batches), "uniform": the document's
          * constants are read from a uniform block */
         constants;
-    /* Per place (matc_place): the uniform block member that replaces the literal, -1 for none; or
-     * NULL. */
+    /* Per place (matc_place): the uniform block member that replaces the literal, -1 for none.
+     * NULL: all literals stay. */
     const int *members;
     int member_count;
-    int optimize;  /* 0: none; 1, 2 (default): all passes of the optimizer */
+    /* level of optimization: 0, none; 1 and 2 (default), all passes of the optimizer */
+    int optimize;
     bool validate; /* validate the output by glslang (default) */
     bool measure;  /* collect times for MATC_STATS */
     unsigned
@@ -98,7 +104,7 @@ typedef struct {
     MatcReadFile read_file;   /* reads images and includes; NULL: the file system */
     void *user;               /* passed to read_file */
     const MatcLayout *custom; /* overrides `layout`; must outlive everything compiled with it */
-    MatcLinked *linked;       /* may be NULL */
+    MatcLinked *linked;       /* cache of linked vertex programs; NULL: no cache */
     /* Settings of warnings, separated by commas: "no-NAME,error=NAME,error". The last setting
      * that applies to a warning is effective. NULL (default): all warnings are reported.
      * matc_explain("warnings") */
@@ -163,7 +169,7 @@ MATC_API void matc_document_free(MatcDocument *document);
 MATC_API int matc_material_count(const MatcDocument *document);
 /* Returns the name under `materials:`, or the file's stem; NULL if the index is invalid. */
 MATC_API const char *matc_material_name(const MatcDocument *document, int material);
-/* Returns the index of the material with that name, or -1. */
+/* Returns the index of the material with that name; -1: none. */
 MATC_API int matc_material_find(const MatcDocument *document, const char *name);
 /* Files on which the document depends, itself first, including files that were missing; NULL for
  * an invalid index. */
@@ -268,7 +274,7 @@ typedef struct {
 MATC_API bool matc_move(const MatcDocument *document, int material, const MatcOptions *options,
                         MatcPoint *points, int count);
 
-/* True if the material replaces its surface by a volume (`displacementVolume`). */
+/* Returns true if the material replaces its surface by a volume (`displacementVolume`). */
 MATC_API bool matc_has_volume(const MatcDocument *document, int material);
 /* The solid intervals along the unit normal of a point, in world units: heights[0] to [1] and
  * [2] to [3]; an interval is empty unless its second bound is greater. */
@@ -301,17 +307,18 @@ MATC_API const char *matc_shape(MatcProgram *program);
  * GLSL 1.10), or a literal in its text that may become a member (name is then NULL). */
 typedef struct {
     const char *name;
-    const char *type; /* "float", "vec2", "vec3", "vec4", "uint", "uvec4" */
+    const char *type; /* type of the constant: "float", "vec2", "vec3", "vec4", "uint", "uvec4" */
     int components;
-    int offset;       /* offset of a member in bytes */
-    int member;       /* index in the members of the options, otherwise -1 */
-    double values[4]; /* values in the compiled material */
+    int offset;       /* offset of the member in bytes */
+    int member;       /* index of the member in MatcOptions; -1: not a member */
+    double values[4]; /* values of the constant in the compiled material */
 } MatcConstant;
 MATC_API int matc_place_count(MatcProgram *program);
 MATC_API const MatcConstant *matc_place(MatcProgram *program, int index);
 MATC_API int matc_constant_count(const MatcProgram *program);
 MATC_API const MatcConstant *matc_constant(const MatcProgram *program, int index);
-MATC_API int matc_constant_bytes(const MatcProgram *program); /* size of the block */
+/* Returns the size of the uniform block in bytes. */
+MATC_API int matc_constant_bytes(const MatcProgram *program);
 /* Writes the content of the uniform block: matc_constant_bytes bytes. */
 MATC_API void matc_constant_block(const MatcProgram *program, void *block);
 
@@ -320,20 +327,22 @@ MATC_API void matc_constant_block(const MatcProgram *program, void *block);
 /* A texture that the program samples; owned by the program, but its texels by the document,
  * which must still exist. Row 0 is at v = 0. */
 typedef struct {
-    const char *name; /* name of its sampler in the shader */
+    const char *name; /* name of the texture's sampler in the shader */
     /* Path of the image, NULL for a generated texture; "a.glb#/images/2" is an image inside the
      * file. */
     const char *path;
     int width, height;
-    int components;             /* components per texel: 1 or 4 */
-    const unsigned char *bytes; /* a byte per component, divided by 255; or NULL */
-    const float *floats;        /* a float per component; or NULL */
+    int components; /* components per texel: 1 or 4 */
+    /* texels as a byte per component, divided by 255; NULL: another format */
+    const unsigned char *bytes;
+    const float *floats; /* texels as a float per component; NULL: another format */
     /* Needs all mipmap levels and trilinear filtering; otherwise nearest filtering. */
     bool mipmaps;
     /* Texel format by OpenGL's name: "RGBA8", "SRGB8_ALPHA8", "RGBA16", "R32F", ... */
     const char *format;
-    const unsigned short *words; /* 16 bits per component, divided by 65535; or NULL */
-    int anisotropy;              /* max anisotropy of its sampler, if supported; 1: none */
+    /* texels as 16 bits per component, divided by 65535; NULL: another format */
+    const unsigned short *words;
+    int anisotropy; /* max anisotropy of the sampler, if supported; 1: none */
     /* Address mode: "repeat", "mirrored_repeat", "clamp_to_edge", or "clamp_to_border" with a
      * border of zeros. */
     const char *wrap;
@@ -357,8 +366,8 @@ typedef struct {
     const char *name;  /* name in the shader */
     const char *param; /* name in the document */
     int components;    /* number of components, 1 to 4 */
-    bool whole;        /* an int uniform */
-    double initial[4]; /* default value */
+    bool whole;        /* the uniform has the type int */
+    double initial[4]; /* default value of the uniform */
 } MatcUniform;
 MATC_API int matc_uniform_count(const MatcProgram *program);
 MATC_API const MatcUniform *matc_uniform(const MatcProgram *program, int index);
@@ -427,10 +436,10 @@ MATC_API void matc_layout_free(MatcLayout *layout);
 enum { MATC_SLOTS = 30, MATC_SETS = 256 };
 typedef struct {
     double low[4], high[4]; /* range of each component over the counted materials */
-    int counted;            /* materials in which the slot has an effect */
-    int absent;             /* counted materials without the slot */
-    int alike;              /* counted materials whose components are equal */
-    int drawn;              /* further materials, whose slot the draw call sets */
+    int counted;            /* number of materials in which the slot has an effect */
+    int absent;             /* number of counted materials without the slot */
+    int alike;              /* number of counted materials whose components are equal */
+    int drawn;              /* number of further materials, whose slot the draw call sets */
 } MatcSlotRange;
 /* Number of materials that store exactly these slots. */
 typedef struct {
@@ -440,8 +449,8 @@ typedef struct {
 typedef struct {
     int materials;
     int set_count;
-    MatcSlotRange slot[MATC_SLOTS]; /* one per slot, in the order of --list */
-    MatcSlotSet sets[MATC_SETS];    /* all different, sets with the most slots first */
+    MatcSlotRange slot[MATC_SLOTS]; /* one range per slot, in the order of --list */
+    MatcSlotSet sets[MATC_SETS];    /* all different sets of slots, the largest first */
     MatcSlotSet others;             /* union of sets that do not fit into `sets` */
 } MatcRanges;
 MATC_API void matc_ranges_init(MatcRanges *ranges);

@@ -11,7 +11,7 @@
 /* Lists the live uniforms, in the document's order. */
 static void list_uniforms(MatcProgram *p, const Graph *graph)
 {
-    /* per uniform: 1 if used, 2 if used as an int */
+    /* bits per uniform: 1 if used, 2 if used as an int */
     uint8_t *used = ARENA_ARRAY(&p->arena, uint8_t, graph->uniform_count);
     p->uniforms = ARENA_ARRAY(&p->arena, MatcUniform, graph->uniform_count);
     for (Ref ref = 1; ref < p->ir->count; ref++)
@@ -42,7 +42,7 @@ static void list_constants(MatcProgram *p)
     }
 }
 
-/* True if the program has outputs; a discard counts as one. */
+/* Returns true if the program has outputs; a discard counts as one. */
 static bool writes_pixels(const Ir *ir)
 {
     for (int i = 0; i < ir->output_count; i++)

@@ -15,21 +15,21 @@ struct MatcProgram {
     const MatcDocument *document;
     int material;
     Job job;
-    bool ok, written; /* written: the GLSL exists */
-    unsigned asked;   /* MatcOutputs requested so far */
+    bool ok, written; /* `written`: the GLSL exists */
+    unsigned asked;   /* set of the MatcOutputs requested so far */
     Ir *ir;
     Products products;
     const char *outputs[OUTPUT_COUNT]; /* texts by bit number of MatcOutput */
     size_t sizes[OUTPUT_COUNT];
-    const char *words[OUTPUT_COUNT]; /* SPIR-V of outputs that are stages */
+    const char *words[OUTPUT_COUNT]; /* SPIR-V of those outputs that are stages */
     size_t word_sizes[OUTPUT_COUNT];
     MatcTexture *textures;
     int *texture_made_by;
     int texture_count;
-    const LayoutRow *layout;                    /* NULL: the pass writes no layout */
-    MatcAttribute attributes[LIMIT_ATTRIBUTES]; /* attributes in use */
+    const LayoutRow *layout;                    /* layout that the pass writes; NULL: none */
+    MatcAttribute attributes[LIMIT_ATTRIBUTES]; /* attributes that the program uses */
     int attribute_count;
-    MatcUniform *uniforms; /* uniforms in use */
+    MatcUniform *uniforms; /* uniforms that the program uses */
     int uniform_count;
     MatcConstant *constants;
     bool keyed; /* the next four members are valid */

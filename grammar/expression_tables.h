@@ -19,13 +19,15 @@ typedef struct {
     const char *name;
     const char *signature; /* letters of the arguments and the result, "gg>g": see expression.def */
     const char *doc;
-    const char *example;               /* a formula and its value: "formula = value" */
-    int count, least;                  /* number of arguments, and its min if some are optional */
-    double initial[TERM_MAX_DEFAULTS]; /* defaults of the optional ones */
+    const char *example; /* example formula and its value: "formula = value" */
+    /* max and min number of arguments; they differ if some are optional */
+    int count, least;
+    double initial[TERM_MAX_DEFAULTS]; /* defaults of the optional arguments */
     int whole_low, whole_high;         /* range of a literal integer argument */
-    bool callable;                     /* called by its name; otherwise by its symbol only */
+    /* the term is called by its name; false: only its symbol denotes it */
+    bool callable;
     bool jumps;
-    bool noisy; /* depends on --noise */
+    bool noisy; /* the result depends on --noise */
 } TermRow;
 extern const TermRow term_table[TERM_COUNT];
 /* Returns the letter of a term's result. */

@@ -31,6 +31,6 @@ extern const int foreign_count;
  * formulas: "base_diffuse_roughness" matches the row baseDiffuseRoughness. `kind` is used for
  * FOREIGN_PARAM only. */
 const char *foreign_name(ForeignGroup group, Kind kind, const char *name);
-/* True if two names differ at most in case, '_', '-' and spaces. */
+/* Returns true if two names differ at most in case, '_', '-' and spaces. */
 bool foreign_is_alike(const char *a, const char *b);
 #endif

@@ -108,8 +108,8 @@ double field_high(const FieldRow *field)
     return field_has_range(field) ? field->high : encoding_high(field->encoding, field->bits);
 }
 
-/* Error of a field with a range: the encoding's error scaled to the range, plus the rounding of
- * floats in the conversions to [0, 1] and back. */
+/* Returns the error of a field with a range: the encoding's error scaled to the range, plus the
+ * rounding of floats in the conversions to [0, 1] and back. */
 double field_error(const FieldRow *field)
 {
     const double rounding = 0x1p-22;

@@ -12,8 +12,8 @@ typedef enum {
 } Format;
 typedef struct {
     const char *name;
-    int components, bits; /* bits of a component */
-    bool words;           /* unsigned integers, not floats */
+    int components, bits; /* number of components, and bits of each */
+    bool words;           /* components are unsigned integers, not floats */
     const char *doc;
 } FormatRow;
 extern const FormatRow format_table[FORMAT_COUNT];
@@ -29,8 +29,8 @@ typedef struct {
     bool words;
     int takes;
     int least, most;
-    int pack;           /* a Function, or FN_none */
-    const char *unpack; /* a chunk, "" if none is needed */
+    int pack;           /* packing Function; FN_none: none */
+    const char *unpack; /* unpacking chunk; "": none is needed */
     ErrorUnit unit;
     const char *doc;
 } EncodingRow;
@@ -52,12 +52,13 @@ typedef struct {
     double low, high;
 } FieldRow;
 /* Properties of a field that depend on its bits and range. */
-int field_size(const FieldRow *field);     /* size of a group: components, or bits */
-double field_error(const FieldRow *field); /* max error in the encoding's unit */
+int field_size(const FieldRow *field);     /* Returns the size of a group: components, or bits. */
+double field_error(const FieldRow *field); /* Returns the max error in the encoding's unit. */
 double field_low(const FieldRow *field);
 double field_high(const FieldRow *field);
 bool field_has_range(const FieldRow *field);
-/* True for encodings of numbers in [0, 1] in words, which can be scaled to another range. */
+/* Returns true for encodings of numbers in [0, 1] in words, which can be scaled to another
+ * range. */
 bool encoding_takes_range(Encoding encoding);
 
 typedef enum {
@@ -107,7 +108,7 @@ typedef enum {
 typedef struct {
     const char *name;
     ClassUnit unit;
-    double error; /* max error in `unit` */
+    double error; /* max error in the unit `unit` */
     const char *doc;
 } ErrorClassRow;
 extern const ErrorClassRow class_table[CLASS_COUNT];

@@ -3,7 +3,7 @@
 #define MATC_LIBRARY_TABLE_H
 
 typedef struct {
-    const char *name; /* file name: "bricks.yaml" */
+    const char *name; /* name of the file, such as "bricks.yaml" */
     const char *text;
 } LibraryFile;
 extern const LibraryFile library_table[];
@@ -11,7 +11,9 @@ extern const int library_count;
 
 /* A definition in one of these files. */
 typedef struct {
-    const char *name, *file, *doc; /* "bricks", "bricks.yaml", a sentence about it */
+    /* name, file and description, such as "bricks", "bricks.yaml", and a sentence about the
+     * definition */
+    const char *name, *file, *doc;
 } LibraryName;
 extern const LibraryName library_names[];
 extern const int library_name_count;

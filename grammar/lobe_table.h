@@ -12,7 +12,7 @@ typedef enum {
 typedef struct {
     const char *name;
     Slot slot;
-    int param; /* its weight, a parameter of Principled */
+    int param; /* weight of the lobe, a parameter of Principled */
     const char *doc;
 } LobeRow;
 extern const LobeRow lobe_table[LOBE_COUNT];

@@ -27,7 +27,7 @@ typedef enum {
     SCENE_VALUE_file,     /* the path of a file */
     SCENE_VALUE_name,     /* name of a definition */
     SCENE_VALUE_one,      /* a part of the sort `of` */
-    SCENE_VALUE_list,     /* a list of such parts */
+    SCENE_VALUE_list,     /* a list of parts of the sort `of` */
 } SceneValueKind;
 typedef struct {
     const char *name, *doc;
@@ -35,7 +35,7 @@ typedef struct {
 typedef struct {
     const char *name, *doc;
     SceneSort sort;
-    int first, count; /* its range of scene_param_table */
+    int first, count; /* range of the kind's rows in scene_param_table */
 } SceneKindRow;
 typedef struct {
     SceneKind kind; /* the kind that has the parameter */
@@ -56,7 +56,7 @@ extern const int scene_preset_count;
 extern const SceneSortRow scene_sort_table[SCENE_SORT_COUNT];
 extern const SceneKindRow scene_kind_table[SCENE_KIND_COUNT];
 extern const SceneParamRow scene_param_table[SCENE_PARAM_COUNT];
-/* Returns the kind of a sort with that name, or -1. */
+/* Returns the kind of a sort with that name; -1: none. */
 int scene_kind_find(SceneSort sort, const char *name);
 /* Returns the only kind of a sort; -1 if it has several. */
 int scene_kind_only(SceneSort sort);

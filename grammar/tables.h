@@ -23,13 +23,13 @@ typedef enum {
     GROUP_COUNT
 } Group;
 
-/* True for groups that the draw call sets, independent of the queried maps. */
+/* Returns true for groups that the draw call sets, independent of the queried maps. */
 static inline bool group_is_draws(Group group) { return group > GROUP_IOR; }
 
 enum { COMPONENTS_OF_GROUP = 4 }; /* a channel's id is COMPONENTS_OF_GROUP * group + component */
 
 typedef struct {
-    const char *name; /* name for --eval: "px", "u", ... */
+    const char *name; /* name of the channel for --eval: "px", "u", ... */
     Group group;
     int component;
     const char *doc;
@@ -114,8 +114,8 @@ typedef struct {
     Kind kind; /* the kind that has the parameter */
     const char *name;
     ParamKind type;
-    int components; /* components of the default: 0 for none */
-    double init[3]; /* default value */
+    int components; /* number of components of the default; 0: no default */
+    double init[3]; /* value of the default */
     double low, high;
     const char *doc;
 } ParamRow;
@@ -132,7 +132,7 @@ extern const ParamRow param_table[PARAM_COUNT];
  * map. */
 /* param_is_number: only the red component of the map is read */
 bool param_is_colored(int param), param_is_number(int param);
-/* True if no slot stores this parameter: UNSTORED lines of materials.def. */
+/* Returns true if no slot stores this parameter: UNSTORED lines of materials.def. */
 bool param_is_unstored(int param);
 /* Returns how the parameter is modified if the parameter *weight is not 0: TILED lines; NULL:
  * not at all. */
@@ -151,18 +151,18 @@ typedef enum { MOVES_xyz = 1, MOVES_uv = 2, MOVES_both = MOVES_xyz | MOVES_uv } 
 
 typedef struct {
     const char *name;
-    const char *function; /* GLSL name of its function, or stem of its temporaries */
+    const char *function; /* name of the map's GLSL function, or stem of its temporaries */
     Lowering lowering;
     int cost;
-    int first, count; /* its range of param_table */
+    int first, count; /* range of the kind's rows in param_table */
     const char *doc;
-    const char *answers; /* channels or slots that it provides, and the treatment of others */
+    const char *answers; /* channels or slots that the kind provides, and the treatment of others */
     const char *formula; /* the computation, as lines of plain text */
     const char *example; /* an example document; NULL: the map with its defaults */
     FilterKind filter;
     int mean, variance, far; /* Functions of the filter, or FN_none; for samples a Far */
     unsigned moves;          /* Moved: coordinates that differ from its input's */
-    double step;             /* step of its finite difference; 0: a texel */
+    double step;             /* step of the map's finite difference; 0: a texel */
     /* Number of coordinate components of the difference; 0: neither discontinuous nor an image. */
     int step_components;
 } KindRow;
@@ -203,7 +203,7 @@ typedef enum {
 #define WAVE(name, reference, build, doc) WAVE_##name,
 #include "waves.def"
     WAVE_COUNT,
-    WAVE_Chain = WAVE_COUNT /* has fields, and therefore no row */
+    WAVE_Chain = WAVE_COUNT /* a Chain has fields, and therefore no row */
 } WaveKind;
 typedef struct {
     const char *name;
@@ -221,12 +221,12 @@ typedef enum {
 enum { FUNCTION_COUNT = FN_FIRST_MAP + KIND_COUNT, FN_none = FUNCTION_COUNT };
 
 typedef struct {
-    const char *name; /* NULL: a map without a function */
+    const char *name; /* name of the function; NULL: a map without a function */
     Type result;
     int cost;
     const char *doc;
 } FunctionRow;
-extern const FunctionRow function_table[]; /* FUNCTION_COUNT rows */
+extern const FunctionRow function_table[]; /* has FUNCTION_COUNT rows */
 static inline const FunctionRow *function_row(int function) { return &function_table[function]; }
 /* Returns a letter for each argument: f i 2 3 4 s. */
 const char *function_arguments(int function);
@@ -273,7 +273,7 @@ extern const InputRow input_table[INPUT_COUNT];
 /* An input that is the screen-space derivative of another. */
 typedef struct {
     Input input, of;
-    const char *by; /* GLSL function: "dFdx" or "dFdy" */
+    const char *by; /* name of the GLSL function: "dFdx" or "dFdy" */
 } ChangeRow;
 extern const ChangeRow change_table[];
 extern const int change_count;
@@ -294,12 +294,12 @@ typedef enum {
 typedef struct {
     const char *name, *doc;
     const char *version;   /* text of the #version line */
-    const char *enables;   /* an extension, or NULL */
+    const char *enables;   /* extension that the target enables; NULL: none */
     const char *precision; /* precision of floats, integers and samplers; NULL: default */
-    const char *index;     /* built-in vertex index, or NULL */
-    const char *library;   /* suffix of its own library files, or NULL */
+    const char *index;     /* built-in vertex index; NULL: none */
+    const char *library;   /* suffix of the library files that only this target uses; NULL: none */
     int number;            /* number of the GLSL version */
-    int layout;            /* Layout: the default */
+    int layout;            /* default layout, a Layout */
     bool in_out, blocks, locations, words, spirv, srgb_textures, word_textures, borders,
         /* see the columns of targets.def */
         float_filters, storage, tessellation, geometry, compute;
@@ -366,7 +366,7 @@ typedef struct {
 } ChoiceRow;
 typedef struct {
     const char *name, *doc;
-    int choice[AXIS_COUNT]; /* -1: not set by the row */
+    int choice[AXIS_COUNT]; /* choice of each axis; -1: the row does not set the axis */
 } PrecisionRow;
 extern const AxisRow axis_table[AXIS_COUNT];
 int axis_choices(Axis axis);

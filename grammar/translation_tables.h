@@ -6,7 +6,7 @@
 typedef struct {
     Kind from;
     int to;              /* parameter of Principled, in param_table */
-    const char *formula; /* over the material's parameters; NULL: a NormalMap */
+    const char *formula; /* formula over the material's parameters; NULL: a NormalMap */
     int map, scale;      /* map and scale of a NormalMap: parameters of the material */
     const char *where;   /* applies only if this formula may be nonzero; NULL: always */
 } TranslationRow;
@@ -15,7 +15,7 @@ extern const int translation_count;
 
 typedef struct {
     int param;           /* index in param_table */
-    const char *formula; /* nothing is lost if it is 0 */
+    const char *formula; /* value 0: the translation loses nothing */
     const char *what;
 } LossRow;
 extern const LossRow loss_table[];

@@ -9,7 +9,7 @@ typedef enum {
     UNIT_COUNT
 } Unit;
 typedef struct {
-    const char *name;  /* "" for a fraction */
+    const char *name;  /* name of the unit; "" for a fraction */
     double low, high;  /* usual range; not finite: unbounded */
     const char *other; /* unit that a number outside may be in; "": none */
     double factor;     /* converts from the other unit to this one */

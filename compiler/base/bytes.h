@@ -6,7 +6,7 @@
 #include <stdint.h>
 
 typedef struct {
-    char *at; /* allocated by malloc */
+    char *at; /* memory allocated by malloc */
     size_t size, capacity;
 } Bytes;
 

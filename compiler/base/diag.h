@@ -48,8 +48,8 @@ typedef struct {
 } DiagRow;
 extern const DiagRow diag_table[DIAG_COUNT];
 
-/* True for warnings and advice, which have a name that settings can give. Errors, and notes that
- * belong to errors, have no name. */
+/* Returns true for warnings and advice, which have a name that settings can give. Errors, and
+ * notes that belong to errors, have no name. */
 bool diag_is_named(DiagKind kind);
 /* Formats the message of a kind with the arguments of its format. Names and texts of the
  * document are cut to their first LIMIT_QUOTE bytes. */

@@ -16,7 +16,7 @@
 #include <stdint.h>
 
 typedef struct {
-    uint32_t hash, number; /* counted from 1; 0: the slot is free */
+    uint32_t hash, number; /* `number` counts from 1; 0: the slot is free */
 } HashSlot;
 
 /* Zero-initialized: an empty index. */

@@ -17,8 +17,8 @@ static void put_character(Text *out, const char *at, int size)
         text_add(out, at, (size_t)size);
 }
 
-/* Length of the prefix that needs no escapes: printing ASCII except `"` and `\`. Nearly every
- * text consists of it entirely. */
+/* Returns the length of the prefix that needs no escapes: printing ASCII except `"` and `\`.
+ * Nearly every text consists of it entirely. */
 static size_t plain_length(const char *at, const char *end)
 {
     const char *start = at;

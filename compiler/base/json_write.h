@@ -9,7 +9,7 @@
  * U+009F) are escaped and read back unchanged. Each byte that is not UTF-8 becomes U+FFFD. */
 void json_string(Text *out, const char *string);
 void json_bytes(Text *out, const char *bytes, size_t size);
-/* Appends "key": */
+/* Appends a key, as in `"key":`. */
 void json_key(Text *out, const char *key);
 /* Appends "key": "value" */
 void json_member(Text *out, const char *key, const char *value);

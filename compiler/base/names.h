@@ -10,7 +10,7 @@ typedef struct {
     uint64_t seed; /* seed of the hashes */
 } Names;
 
-/* Returns the index of the name, or -1. */
+/* Returns the index of the name; -1: none. */
 int names_find(const Names *names, const char *name);
 /* Returns the index of the name and appends a new one. The text is not copied. */
 int names_add(Arena *arena, Names *names, const char *name);
@@ -18,7 +18,7 @@ int names_add(Arena *arena, Names *names, const char *name);
 /* Generator of unique names. */
 typedef struct {
     Names given;
-    int *last; /* per name: the last number that was appended to it */
+    int *last; /* per name: the last number that was appended to the name */
     size_t last_count, last_capacity;
 } FreshNames;
 

@@ -36,7 +36,7 @@ static const char *say(Arena *arena, const char *name, const char *what)
     return out.at;
 }
 
-/* Returns the index of a word, or -1. */
+/* Returns the index of a word; -1: none. */
 static int find_word(const NameChoice *words, const char *word, size_t size)
 {
     for (int i = 0; i < words->count; i++) {

@@ -16,9 +16,9 @@
 
 typedef enum {
     OPTION_heading, /* not an option: --help prints `help` unchanged */
-    OPTION_flag,    /* bool, becomes true */
-    OPTION_clear,   /* bool, becomes false */
-    OPTION_text,    /* const char * */
+    OPTION_flag,    /* sets a bool to true */
+    OPTION_clear,   /* sets a bool to false */
+    OPTION_text,    /* the argument as a const char * */
     OPTION_maybe,   /* const char *; `otherwise` if the value is missing, as in "--list" */
     OPTION_list,    /* const char **, and an int count at `count_place`; each use adds a string */
     OPTION_int,     /* int, from min to max */
@@ -32,7 +32,7 @@ typedef struct Option Option;
 struct Option {
     const char *name; /* name "--size"; "-o" also takes its value without a space: "-oFILE" */
     OptionKind kind;
-    size_t place, count_place; /* offsets in the program's struct */
+    size_t place, count_place; /* offsets of the value and of its count in the program's struct */
     NameChoice words;
     const char *otherwise;
     double min, max;
@@ -41,15 +41,16 @@ struct Option {
     /* Stores the value in place of the parser, which has already checked it against `words`.
      * `value` is NULL if it is missing. Returns NULL or a fault. */
     const char *(*set)(void *to, const Option *option, const char *value);
-    const char *label;           /* follows the name in --help: "=N" */
+    const char *label;           /* text that follows the name in --help: "=N" */
     const char *help;            /* lines of --help; NULL: another row describes the option */
-    void (*put_help)(Text *out); /* writes names from tables ahead of `help`; or NULL */
+    void (*put_help)(Text *out); /* writes names from tables ahead of `help`; NULL: no names */
 };
 
 typedef struct {
     const Option *rows;
     int count;
-    /* Finds the values of an option without `words`, so that a fault can list them; or NULL. */
+    /* Finds the values of an option without `words`, so that a fault can list the values; NULL:
+     * unknown. */
     bool (*values)(const char *name, NameChoice *values);
     /* Takes an argument that is not an option. `literal`: it follows "--". Returns NULL or a
      * fault. */

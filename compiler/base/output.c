@@ -18,8 +18,8 @@ static const char *write_to(FILE *file, const void *bytes, size_t size)
     return fflush(file) ? text_error(errno) : NULL;
 }
 
-/* True for a path that cannot or must not be replaced by a rename. As root, a rename could put a
- * file in place of /dev/stdout. */
+/* Returns true for a path that cannot or must not be replaced by a rename. As root, a rename
+ * could put a file in place of /dev/stdout. */
 static bool is_special(const char *path)
 {
     static const char *const open_files[] = {"/dev/stdout", "/dev/stderr", "/dev/fd/", "/proc/"};
@@ -28,7 +28,7 @@ static bool is_special(const char *path)
         if (!strncmp(path, open_files[i], strlen(open_files[i])))
             return true;
     if (!stat(path, &info) && S_ISDIR(info.st_mode))
-        return true; /* opening it reports the error */
+        return true; /* the open() that follows reports the error */
     return !lstat(path, &info) && !S_ISREG(info.st_mode) && !S_ISLNK(info.st_mode);
 }
 

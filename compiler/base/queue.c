@@ -12,7 +12,7 @@
 enum { CHUNK = 4 };
 
 typedef struct {
-    int document, parts, next, left; /* left: number of unfinished parts */
+    int document, parts, next, left; /* `left` is the number of unfinished parts */
 } Open;
 
 typedef struct {

@@ -6,7 +6,7 @@
 typedef struct {
     int documents, threads;
     int (*open)(void *user, int document);            /* returns the document's number of parts */
-    void (*work)(void *user, int document, int part); /* on any thread, in any order */
+    void (*work)(void *user, int document, int part); /* called on any thread, in any order */
     /* Called after the last part, also for a document without parts. */
     void (*close)(void *user, int document);
     void *user;

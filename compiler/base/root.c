@@ -68,8 +68,8 @@ static char *absolute(const char *path)
     return whole;
 }
 
-/* True if the path's text leads below the root, either as the user wrote the root or with its
- * links resolved. */
+/* Returns true if the path's text leads below the root, either as the user wrote the root or
+ * with its links resolved. */
 static bool text_lies_below(const char *root, const char *canonical, const char *path)
 {
     char *wanted = absolute(path), *written = absolute(root);

@@ -32,7 +32,8 @@ void session_stage_done(Session *session, const char *name, int nodes, int cost)
     double now = session_now();
     StageStats stats = {name, now - session->stage_start, nodes, cost};
     ARENA_PUSH(session->arena, session->stats, session->stat_count, session->stat_capacity, stats);
-    session->stage_start = session_now(); /* excludes the time that statistics take */
+    /* restarts the clock, which excludes the time that statistics take */
+    session->stage_start = session_now();
 }
 
 char *session_read_file(Session *session, const char *path, size_t *size, const char **why)

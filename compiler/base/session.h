@@ -44,7 +44,8 @@ enum {
     LIMIT_BRANCHES = 128,
     /* Nodes that are reexamined for the arms of a select: range.c. */
     LIMIT_GUARD_STEPS = 512,
-    LIMIT_GUARD_DEPTH = 64,   /* their nesting depth; each level takes 512 bytes of stack */
+    /* nesting depth of reexamined nodes; each level takes 512 bytes of stack */
+    LIMIT_GUARD_DEPTH = 64,
     LIMIT_LAYOUT_CASES = 32,  /* cases of a layout */
     LIMIT_LAYOUT_FIELDS = 64, /* fields of a case */
     /* Steps of the oracle for the values of one point: oracle_work.c. */
@@ -56,14 +57,14 @@ enum {
 
 typedef struct {
     const char *name; /* stage: "read", "lower", an optimizer pass ... */
-    double seconds;   /* wall-clock time */
-    int nodes;        /* live IR nodes after the stage; 0 before IR exists */
-    int cost;         /* cost of these nodes in scalar operations */
+    double seconds;   /* elapsed wall-clock time */
+    int nodes;        /* number of live IR nodes after the stage; 0 before IR exists */
+    int cost;         /* cost of the live nodes in scalar operations */
 } StageStats;
 
 typedef struct Session {
     const MatcOptions *options;
-    Arena *arena; /* lives as long as the result */
+    Arena *arena; /* arena that lives as long as the result */
     DiagList diags;
     Text message; /* message of the diagnostic that is being added */
     Source *sources;
@@ -80,7 +81,7 @@ typedef struct Session {
 /* Adds a diagnostic of a kind; the arguments of its format follow. Always returns NULL, so that
  * a reader can return the result. */
 void *diag_add(Session *session, Span span, DiagKind kind, ...);
-/* True when MAX_DIAGS diagnostics are stored: later ones are dropped, and only errors are
+/* Returns true when MAX_DIAGS diagnostics are stored: later ones are dropped, and only errors are
  * counted. */
 bool diag_full(const Session *session);
 /* Returns "; did you mean 'x'?" as suggest() does, or "" if no more diagnostics are stored. */

@@ -13,7 +13,7 @@ typedef struct {
 /* Adds a copy of the string and returns its number. *added reports whether the string is new;
  * NULL: not needed. */
 int string_set_add(StringSet *set, const char *string, bool *added);
-/* Returns the string's number, or -1. */
+/* Returns the string's number; -1: none. */
 int string_set_find(const StringSet *set, const char *string);
 void string_set_free(StringSet *set);
 

@@ -13,16 +13,16 @@ typedef struct {
 
 typedef struct {
     const char *name; /* name as the user wrote it */
-    const char *text; /* zero-terminated */
+    const char *text; /* text, zero-terminated */
     size_t size;
     const char *binary; /* binary chunk of a container (.glb); NULL: absent */
     size_t binary_size;
 } Source;
 
 typedef struct {
-    int line, column; /* counted from 1; the column counts bytes, as in gcc */
+    int line, column; /* numbers from 1; the column counts bytes, as in gcc */
     const char *line_start;
-    int line_length; /* bytes, without the line break */
+    int line_length; /* length in bytes, without the line break */
 } SourcePosition;
 SourcePosition source_position(const Source *source, uint32_t offset);
 #endif

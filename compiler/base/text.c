@@ -60,7 +60,7 @@ void text_int(Text *text, long value)
     text_add(text, at, (size_t)(end - at));
 }
 
-/* True if the format uses only %s, %d and %%, as most formats do. put_plain() then replaces
+/* Returns true if the format uses only %s, %d and %%, as most formats do. put_plain() then replaces
  * printf, which costs a thousand instructions a call. */
 static bool is_plain(const char *format)
 {
@@ -76,7 +76,7 @@ static void put_plain(Text *text, const char *format, va_list args)
         text_add(text, format, (size_t)(at - format));
         const char *string = at[1] == 's' ? va_arg(args, const char *) : NULL;
         if (at[1] == 's')
-            text_put(text, string ? string : "(null)"); /* printf's text for NULL */
+            text_put(text, string ? string : "(null)"); /* appends what printf prints for NULL */
         else if (at[1] == 'd')
             text_int(text, va_arg(args, int));
         else
@@ -119,7 +119,7 @@ static void put_decimal(Text *text, bool negative, uint64_t whole, int places)
 {
     char digits[NUMBER_CAPACITY], *end = digits + sizeof digits, *at = end;
     if (places == 0)
-        *--at = '0'; /* writes "2.0" */
+        *--at = '0'; /* writes "2.0" for 2 */
     for (int i = 0; i < places; i++, whole /= 10)
         *--at = (char)('0' + whole % 10);
     *--at = '.';

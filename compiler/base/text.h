@@ -10,7 +10,7 @@
 
 typedef struct {
     Arena *arena;
-    char *at; /* zero-terminated after the first addition */
+    char *at; /* characters, zero-terminated after the first addition */
     size_t size, capacity;
 } Text;
 
@@ -55,7 +55,7 @@ bool text_number(const char *string, size_t size, double *value);
 /* Returns the length of the UTF-8 sequence at `at`, 0 if it is invalid: overlong forms,
  * surrogates and code points above U+10FFFF are invalid. */
 int text_utf8_length(const unsigned char *at, const unsigned char *end);
-/* True for a UTF-8 control character: below U+0020, or U+007F to U+009F. Terminals may obey
+/* Returns true for a UTF-8 control character: below U+0020, or U+007F to U+009F. Terminals may obey
  * either group. */
 bool text_is_control(const char *at, int size);
 /* Appends text of a document in printable form: control characters except tabs, and bytes that
@@ -81,7 +81,7 @@ static inline char text_lower(char c) { return text_is_upper(c) ? (char)(c - 'A'
  * `size` bytes. */
 bool text_same(const char *a, const char *b);
 bool text_same_start(const char *a, const char *b, size_t size);
-/* Returns the value of a hexadecimal digit, or -1. */
+/* Returns the value of a hexadecimal digit; -1: none. */
 static inline int text_hex_digit(char c)
 {
     const char letter = text_lower(c);

@@ -34,7 +34,7 @@ static inline bool vec3_normalize(double v[3])
     return true;
 }
 
-/* True if both vectors have a length and are not collinear. */
+/* Returns true if both vectors have a length and are not collinear. */
 static inline bool vec3_span(const double u[3], const double v[3])
 {
     double a[3] = {u[0], u[1], u[2]}, b[3] = {v[0], v[1], v[2]}, cross[3];

@@ -46,7 +46,7 @@ static bool has_name(const Setting *setting, const char *name)
     return true;
 }
 
-/* True: the setting names the warning, by its present name or by that of version 0.1. */
+/* Returns true if the setting names the warning, by its present name or by that of version 0.1. */
 static bool names_warning(const Setting *setting, DiagKind kind)
 {
     return has_name(setting, diag_table[kind].name) ||

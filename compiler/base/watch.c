@@ -22,12 +22,12 @@
 
 enum {
     QUIET_MS = 50,    /* quiet time that ends a burst of changes */
-    ROW_MS = 1000,    /* a burst is reported after this time at the latest */
+    ROW_MS = 1000,    /* max time after which a burst is reported */
     POLL_MS = 200,    /* polling interval without notifications */
     LOOK_MS = 1000,   /* polling interval with notifications */
     SIGNAL_MS = 200,  /* polling interval for signals */
     CLOCK_MS = 20,    /* max lag of a file's time behind the clock */
-    NOTICES = 1 << 14 /* bytes read at once */
+    NOTICES = 1 << 14 /* max bytes of notifications read at once */
 };
 
 /* A file's stat() data. */
@@ -42,11 +42,11 @@ typedef struct {
 
 typedef struct {
     char *path;
-    const char *name; /* the last part of the path */
+    const char *name; /* last part of the path */
     int notices;      /* watch descriptor of the file's folder; -1: none */
-    Look look;        /* when last reported or set */
-    bool dirty;       /* changed since then */
-    bool changed;     /* reported by the last watch_wait */
+    Look look;        /* state of the file when last reported or set */
+    bool dirty;       /* the file has changed since `look` */
+    bool changed;     /* the last watch_wait reported the file */
 } File;
 
 struct Watch {
@@ -86,7 +86,7 @@ static long milliseconds_now(void)
 
 #ifdef __linux__
 /* Requests notifications of a folder, or of the nearest existing folder above it. Returns the
- * watch descriptor, or -1. */
+ * watch descriptor; -1: failed. */
 static int ask_for_folder(int notices, char *folder)
 {
     const uint32_t what = IN_ONLYDIR | IN_CLOSE_WRITE | IN_MODIFY | IN_ATTRIB | IN_CREATE |

@@ -28,7 +28,7 @@ int watch_wait(Watch *watch, int timeout_ms);
  * SIGTERM, SIGHUP) that asks the process to end. Outside the wait, signals have their usual
  * effect. */
 int watch_next(Watch *watch);
-/* True if the last watch_wait reported the file with this index of the list. */
+/* Returns true if the last watch_wait reported the file with this index of the list. */
 bool watch_changed(const Watch *watch, int file);
 void watch_close(Watch *watch);
 #endif

@@ -92,7 +92,7 @@ static const char *sample_value(const ParamRow *param)
     }
 }
 
-/* Examples of materials omit displacement. */
+/* Returns true if an example shows the parameter: examples of materials omit displacement. */
 static bool is_in_example(const ParamRow *param, bool material)
 {
     static const char moves[] = "displacement";
@@ -186,7 +186,7 @@ void describe_error(Text *out, const FieldRow *field)
     }
 }
 
-/* True for a "%s" directly after a word or a closing quote: a hint, usually empty. */
+/* Returns true for a "%s" directly after a word or a closing quote: a hint, usually empty. */
 static bool is_hint(const char *format, const char *at)
 {
     if (at == format || strchr(" \n", at[-1]))
@@ -207,7 +207,7 @@ void describe_message(Text *out, const DiagRow *diag)
         else {
             if (!is_hint(format, at - 1))
                 text_put(out, "...");
-            at += strspn(at, "l"); /* %ld */
+            at += strspn(at, "l"); /* skips the length modifier of %ld */
         }
     }
 }

@@ -76,7 +76,7 @@ void describe_message(Text *out, const DiagRow *diag);
 const char *describe_list_kind(const void *user, int i);
 
 extern const char *const severity_names[];
-/* True for the first row of a preset; a preset has one row per parameter. */
+/* Returns true for the first row of a preset; a preset has one row per parameter. */
 bool describe_is_preset_head(int row);
 /* Returns the text in memory from malloc and frees its arena. */
 char *describe_finish(Text *text);

@@ -11,7 +11,7 @@
 typedef struct {
     Text *out;
     const char *name;
-    int (*compare)(const char *, const char *); /* strcmp or strcasecmp */
+    int (*compare)(const char *, const char *); /* strcmp or strcasecmp, to compare names */
 } Query;
 
 /* Begins a new page if a row has the queried name. */
@@ -190,7 +190,7 @@ static void explain_colors(const Query *q)
     }
 }
 
-/* The page on color spaces. */
+/* Writes the page on color spaces. */
 static void explain_color_spaces(const Query *q)
 {
     if (begins(q, "srgb"))

@@ -18,7 +18,8 @@ static void put_constants(Text *out, const FixedRow *fixed, int count)
 static void put_pieces(Text *out, const LayoutRow *layout, int number)
 {
     Placement placement;
-    layout_allocate(layout, number, &placement); /* checked before: every row fits */
+    /* cannot fail, as an earlier check ensures that every row fits */
+    layout_allocate(layout, number, &placement);
     if (number)
         text_format(out, "\nCase %d: %s\n", number, layout->cases[number].doc);
     text_format(out, "  %-9s  %-42s  %-18s  %-18s  %s\n", "place", "slot", "encoding", "stored",

@@ -144,12 +144,13 @@ char *matc_list(void)
     Arena arena = {0};
     Text out = text_new(&arena);
     for (int i = 0; i < LISTS; i++)
-        if (lists[i].put != describe_foreign_list) /* all other lists have names of matc */
+        /* all lists except that of foreign names contain names of matc */
+        if (lists[i].put != describe_foreign_list)
             lists[i].put(&out);
     return describe_finish(&out);
 }
 
-/* Returns the list of that kind, or the choices of that axis. */
+/* Returns the list of a kind of names, or the choices of an axis. */
 char *matc_list_of(const char *kind)
 {
     Arena arena = {0};

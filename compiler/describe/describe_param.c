@@ -5,7 +5,7 @@
 
 enum { PARAMS = PARAM_COUNT + SCENE_PARAM_COUNT, KEYWORD_WIDTH = 14 };
 
-/* Parameters of maps and materials, then those of scenes. */
+/* Returns the i-th row: parameters of maps and materials, then those of scenes. */
 static const ParamRow *row_of(int i)
 {
     return i < PARAM_COUNT ? &param_table[i] : &scene_param_table[i - PARAM_COUNT].param;

@@ -12,7 +12,8 @@ int emit_input_location(Input input)
     return location;
 }
 
-/* After all varyings and the material number of an instance. */
+/* Returns the location of the object attributes: after all varyings and the material number of
+ * an instance. */
 int emit_object_location(void) { return emit_input_location(INPUT_COUNT) + 1; }
 
 int attribute_location(int attribute) { return emit_object_location() + 1 + attribute; }

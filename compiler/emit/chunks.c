@@ -6,7 +6,7 @@
 /* A chunk and its variants, which are adjacent in the table. */
 typedef struct {
     const Chunk *first;
-    int count, length; /* length: of the name before the variants' suffixes */
+    int count, length; /* `length` is that of the name without the suffixes of variants */
 } Variants;
 
 static bool is_variant(const Chunk *chunk, const char *name, int length)
@@ -18,7 +18,7 @@ static bool is_variant(const Chunk *chunk, const char *name, int length)
 static Variants variants_of(const char *name, int length)
 {
     int low = 0, high = chunk_count;
-    while (low < high) { /* binary search for the first name that is not less */
+    while (low < high) { /* binary search for the first name not less than the given one */
         int middle = (low + high) / 2;
         if (strncmp(chunk_table[middle].name, name, (size_t)length) < 0)
             low = middle + 1;

@@ -15,6 +15,6 @@ void chunks_add_found(Session *session, Chunks *chunks, const Chunk *chunk);
 /* Adds a chunk and all its dependencies, each once, in the variant for the job's target and
  * choices. Returns false if the chunk does not exist. */
 bool chunks_add(Session *session, Chunks *chunks, const char *name, const Job *job);
-/* True if a chunk declares a uniform of that name. */
+/* Returns true if a chunk declares a uniform of that name. */
 bool chunks_declare(const Chunks *chunks, const char *name);
 #endif

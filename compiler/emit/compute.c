@@ -33,7 +33,7 @@ enum {
     LOCAL_SIZE = 64
 };
 
-/* Inputs from which the normal is computed. */
+/* An input from which the normal is computed, with its attribute and expression. */
 typedef struct {
     Input input;
     const char *attribute, *expression;

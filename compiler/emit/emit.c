@@ -30,15 +30,15 @@ static int expression_size(const Scope *e, Ref ref)
     return size;
 }
 
-/* True if a node gets its own statement: it has several uses, is a branch or a map's value, is
- * too long to be inlined, or must be evaluated before a condition. */
+/* Returns true if a node gets its own statement: it has several uses, is a branch or a map's
+ * value, is too long to be inlined, or must be evaluated before a condition. */
 static bool needs_name(const Scope *e, Ref ref, int size)
 {
     const IrNode *node = ir_at(e->ir, ref);
     if (e->s.arm[ref] || (e->s.hoisted && e->s.hoisted[ref]))
         return true;
     if (emit_is_leaf(e->ir, ref))
-        /* a swizzle of an inlined expression */
+        /* the node is a swizzle of an inlined expression */
         return node->op == OP_swizzle && e->s.uses[ref] > 1 && size > 0;
     if (e->s.uses[ref] > 1)
         return true;
@@ -51,7 +51,7 @@ static Ref side_value(const Scope *e, Ref ref, int side) { return ir_arg(e->ir, 
 
 static void put_branch(Scope *e, Text *out, Ref region, int depth);
 
-/* True if the value is computed in the block and used only once. */
+/* Returns true if the value is computed in the block and used only once. */
 static bool is_own(const Scope *e, Ref value, int block)
 {
     return e->s.uses[value] == 1 && e->s.block[value] == block;
@@ -109,14 +109,15 @@ static void put_side(Scope *e, Text *out, Ref region, int side, int depth)
     } while ((ref = e->s.mate[ref]) != region);
 }
 
-/* True if a block has statements other than those of a branch. */
+/* Returns true if a block has statements other than those of a branch. */
 static bool has_statements(Scope *e, int block, Ref tail)
 {
     for (Ref ref = e->s.blocks[block].first; ref; ref = e->s.next[ref]) {
         if (e->s.arm[ref] == e->s.arm[tail] || e->done[ref])
             continue;
         int size = expression_size(e, ref);
-        e->size[ref] = (uint16_t)size; /* operands come first; sizes of users build on them */
+        /* sizes of operands come first, since sizes of users build on them */
+        e->size[ref] = (uint16_t)size;
         if (needs_name(e, ref, size))
             return true;
     }

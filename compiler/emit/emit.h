@@ -12,14 +12,15 @@ typedef struct {
     /* Attributes whose screen-space derivatives are read. */
     bool attribute_changes[LIMIT_ATTRIBUTES];
     const Ir *ir;   /* the program's IR */
-    bool instances; /* instanced drawing */
+    bool instances; /* program draws instances */
     bool *uniforms; /* uniforms in use, by index in the graph */
-    bool *counts;   /* uniforms of type int */
+    bool *counts;   /* uniforms that have the type int */
     bool *textures; /* textures in use, by index in the Ir */
     /* bytes of the declarations, at the beginning of the fragment program */
     size_t declarations;
-    Chunks chunks;                 /* library functions, and the uniforms that they declare */
-    bool members;                  /* the constants' uniform block is read */
+    /* library functions in use, and the uniforms that they declare */
+    Chunks chunks;
+    bool members;                  /* the program reads the uniform block of constants */
     const struct VertexMove *move; /* NULL: no displacement in the vertex stages */
     /* Displacement with normals for the compute program; may be NULL. */
     const struct VertexMove *compute;
@@ -34,11 +35,12 @@ typedef struct VertexMove {
     /* The function returns a vec3 along dP/du, dP/dv and the normal; otherwise a float along the
      * normal. */
     bool along_tangents;
-    /* It returns a vec4: two ranges along the normal where a volume is solid. */
+    /* The displacement returns a vec4: two ranges along the normal where the volume is solid. */
     bool volume;
-    bool turns;                      /* matc_displacedNormal() exists */
-    bool normal_inputs[INPUT_COUNT]; /* inputs that main() sets before calling it */
-    const char *declarations;        /* uniforms and textures, shared with the fragment program */
+    bool turns; /* the program has matc_displacedNormal() */
+    /* inputs that main() sets before it calls matc_displacedNormal() */
+    bool normal_inputs[INPUT_COUNT];
+    const char *declarations; /* uniforms and textures, shared with the fragment program */
     /* Variables that main() sets, library functions, and matc_displacement(). */
     const char *text;
 } VertexMove;
@@ -69,11 +71,11 @@ const char *emit_compute(Session *session, const Job *job, const Interface *inte
 /* Returns GLSL that unpacks the layout: struct Surface, unpackTexels() for texel values,
  * unpackSurface() for a position. */
 const char *emit_unpack(Session *session, const Job *job);
-/* A generated program, as the reflection describes it. */
+/* A generated program in the form that the reflection describes. */
 typedef struct {
     const Interface *interface;
     const char *material, *opacity; /* the material's name, and its opacity class */
-    const char *fragment;           /* text for the hash */
+    const char *fragment;           /* text of the fragment program, for the hash */
     const GraphSky *sky;            /* the sky's light; NULL: not a sky */
     double bound;                   /* max displacement; INFINITY: unknown */
 } Reflected;

@@ -27,7 +27,7 @@ int emit_texture_binding(int index);
 int emit_table_binding(const Ir *ir, const Interface *interface, const char *name);
 /* Writes the vertex program's attributes and uniforms as members of a JSON object. vertex.c */
 void emit_describe_vertex(Text *out, const Job *job, const Interface *interface);
-/* True if the input is a uniform in this program. */
+/* Returns true if the input is a uniform in this program. */
 bool emit_is_uniform(const Interface *interface, Input input);
 /* Returns the location of an instance's random number. */
 int emit_object_location(void);

@@ -50,10 +50,10 @@ const char *emit_function_name(Session *session, const Ir *ir, int function)
     return name.at;
 }
 
-/* Functions named by the WRITE lines of ops.def; leaves first. */
+/* Writers named by the WRITE lines of ops.def; those of leaves come first. */
 static void put_const(Scope *e, Text *out, Ref ref) { emit_constant(out, e->ir, ref); }
 
-/* A screen-space derivative also needs its input. */
+/* Writes an input. A screen-space derivative also needs the input that is differentiated. */
 static void put_input(Scope *e, Text *out, Ref ref)
 {
     const Input input = (Input)ir_at(e->ir, ref)->payload;
@@ -258,7 +258,7 @@ static void put_infix(Scope *e, Text *out, Ref ref, int own)
     emit_expression(e, out, ir_arg(e->ir, ref, 1), mixed ? PRECEDENCE_add : own + 1);
 }
 
-/* True for a literal written with a minus sign, including -0.0. */
+/* Returns true for a literal written with a minus sign, including -0.0. */
 static bool is_negative(const Ir *ir, Ref ref)
 {
     return ir_is(ir, ref, OP_const) && ir_components(ir, ref) == 1 &&
@@ -274,7 +274,7 @@ static void put_operation(Scope *e, Text *out, Ref ref, int own)
         break;
     case SHAPE_prefix:
         text_put(out, op_table[node->op].glsl);
-        /* never `--x`, which would be a decrement */
+        /* writes `-(-x)`, never `--x`, which would be a decrement */
         emit_expression(e, out, ir_arg(e->ir, ref, 0), PRECEDENCE_postfix);
         break;
     case SHAPE_call:

@@ -10,7 +10,7 @@
 
 enum { LONGEST_FILE = 40 }; /* characters of a file's name in a comment */
 
-/* True if a name is used by a uniform, a member of the constants' block, or a function. */
+/* Returns true if a name is used by a uniform, a member of the constants' block, or a function. */
 static bool is_taken(const Scope *e, const char *name)
 {
     if (names_find(&e->ir->graph->uniform_names, name) >= 0 || names_find(&e->constants, name) >= 0)

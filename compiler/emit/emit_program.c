@@ -132,7 +132,7 @@ static void put_functions(Scope *e, Text *out, const bool *run)
 static void put_output(Scope *e, Text *out, const IrOutput *output)
 {
     bool named = target_table[e->job->target].in_out;
-    /* always discarded */
+    /* the program discards every fragment */
     if (output->kind == OUT_discard && ir_is_number(e->ir, output->value, 1)) {
         text_put(out, "    discard;\n");
         return;

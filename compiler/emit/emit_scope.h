@@ -10,9 +10,9 @@ typedef struct {
     /* Scope that computes the map's value, which gets the plain name; otherwise the first step
      * does. */
     int valued;
-    const char *name; /* stem; steps append numbers */
+    const char *name; /* stem of the names; steps append numbers */
     int steps;        /* number of named steps */
-    bool given;       /* the plain name is used */
+    bool given;       /* the plain name is already used */
 } Naming;
 
 /* Offsets of a source's lines; NULL until first needed. */
@@ -29,12 +29,12 @@ typedef struct {
     Arena *scratch;
     Schedule s;
     const IrFunction *function; /* the open function; NULL: main */
-    const char **names;         /* per Ref: the name of its temporary, or NULL */
+    const char **names;         /* per Ref: the name of its temporary; NULL: none */
     /* Per Ref: number of operations in its expression, if inlined. */
     uint16_t *size;
-    uint8_t *done;    /* per Ref: its statement is written, or not needed */
+    uint8_t *done;    /* per Ref: the node's statement is written or not needed */
     int number;       /* number of the scope, from 1 */
-    Naming *naming;   /* indexed by origin */
+    Naming *naming;   /* names of temporaries, indexed by origin */
     FreshNames fresh; /* temporaries of the scope */
     Names constants;  /* members of the constants' uniform block */
     Lines *lines;     /* line tables, indexed by source */
@@ -69,7 +69,8 @@ const char *emit_origin_note(Scope *e, const IrNode *node);
 
 /* Writes a value as an expression, in parentheses if it binds less tightly than `precedence`. */
 void emit_expression(Scope *e, Text *out, Ref ref, int precedence);
-/* True for values that never need a temporary: constants, inputs, swizzles of named values. */
+/* Returns true for values that never need a temporary: constants, inputs, swizzles of named
+ * values. */
 static inline bool emit_is_leaf(const Ir *ir, Ref ref)
 {
     return op_table[ir_at(ir, ref)->op].arity == 0 || ir_is(ir, ref, OP_swizzle);

@@ -144,7 +144,7 @@ static bool has_chunk(const Chunks *chunks, const Chunk *chunk)
     return false;
 }
 
-/* Textures are numbered over all stages. */
+/* Writes samplers. Textures are numbered over all stages. */
 static void put_samplers(Session *session, Text *out, const Ir *ir, const Job *job, Declared d)
 {
     int index = 0;
@@ -163,7 +163,7 @@ static void put_samplers(Session *session, Text *out, const Ir *ir, const Job *j
         }
 }
 
-/* Every stage that uses the block declares all of it. */
+/* Writes plain uniforms. Every stage that uses the block declares all of its members. */
 static void put_plain(Session *session, Text *out, const Ir *ir, const Job *job, Declared d)
 {
     Text uniforms = text_new(session->arena);

@@ -4,7 +4,7 @@
 #include "compiler/base/hash.h"
 #include "compiler/matc.h"
 
-/* Thread-safe. A NULL cache is always empty. */
+/* Functions of a thread-safe cache. A NULL cache is always empty. */
 bool linked_before(MatcLinked *linked, Key interface);
 void linked_add(MatcLinked *linked, Key interface);
 #endif

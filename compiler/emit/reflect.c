@@ -57,7 +57,7 @@ static void put_offset(Text *out, const Job *job, const char *type, int *size)
         text_format(out, ", \"offset\": %d", std140_offset(type, size));
 }
 
-/* *size: size of the uniform block so far. */
+/* `size` is the size of the uniform block so far. */
 static void put_inputs(Text *out, const Ir *ir, const Job *job, const Interface *interface,
                        int *size)
 {
@@ -147,7 +147,7 @@ static void put_constants(Text *out, const Ir *ir, const Job *job)
     text_put(out, "}");
 }
 
-/* True if a vertex stage samples the texture and the fragment program does not. */
+/* Returns true if a vertex stage samples the texture and the fragment program does not. */
 static bool is_of_vertices(const Interface *interface, const MatcTexture *texture, int made_by)
 {
     if (!interface->fragment_textures)
@@ -156,7 +156,7 @@ static bool is_of_vertices(const Interface *interface, const MatcTexture *textur
                         : !chunks_declare(&interface->fragment_chunks, texture->name);
 }
 
-/* Number of mipmap levels down to one texel. */
+/* Returns the number of mipmap levels down to one texel. */
 static int level_count(const MatcTexture *t)
 {
     int count = 1;

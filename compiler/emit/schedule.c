@@ -20,11 +20,11 @@
 
 enum { BRANCH_COST = 40 }; /* min cost of an arm, in scalar operations, for which a branch pays */
 
-/* All branches on one condition. */
+/* Branches that depend on the same condition. */
 typedef struct Condition {
     uint32_t branches;
-    uint32_t stage; /* min stage of a region that can contain all of them */
-    Ref open;       /* first select of the region that others may join; 0: none */
+    uint32_t stage; /* min stage of a region that can contain all of the branches */
+    Ref open;       /* first select of the region that other selects may join; 0: none */
 } Condition;
 
 static int common_block(const Schedule *s, int a, int b)
@@ -57,7 +57,7 @@ static Condition *condition_of(const Ir *ir, const Schedule *s, Ref branch)
     return &s->conditions[ir_arg(ir, branch, 0)];
 }
 
-/* True if a branch, all of whose users were visited, may join the open region. */
+/* Returns true if a branch, all of whose users were visited, may join the open region. */
 static bool joins(const Schedule *s, const Condition *condition, Ref ref)
 {
     return condition->open && s->block[condition->open] == s->block[ref] &&
@@ -182,7 +182,7 @@ static bool is_computed_in(const Ir *ir, const Schedule *s, Ref value, int block
     return s->block[value] == block && ir_at(ir, value)->count;
 }
 
-/* True for a select in a region whose arms compute nothing for it. */
+/* Returns true for a select in a region whose arms compute nothing for it. */
 static bool has_empty_arms(const Ir *ir, const Schedule *s, Ref ref)
 {
     const int arm = s->arm[ref];
@@ -246,8 +246,8 @@ static void link_blocks(Schedule *s)
     }
 }
 
-/* True if operand i is evaluated only depending on the first: an arm of a select, the right side
- * of && and ||. */
+/* Returns true if operand i is evaluated only depending on the first: an arm of a select, the
+ * right side of && and ||. */
 static bool is_conditional(const Ir *ir, Ref ref, int i)
 {
     return i > 0 && (ir_is(ir, ref, OP_select) || ir_is(ir, ref, OP_and) || ir_is(ir, ref, OP_or));
@@ -287,7 +287,7 @@ Schedule schedule_new(const Ir *ir, Arena *arena)
                       .branch = ARENA_ARRAY(arena, uint8_t, ir->count)};
 }
 
-/* True for a select with an arm that has something to skip. */
+/* Returns true for a select with an arm that has something to skip. */
 static bool has_arms(const Ir *ir, Ref ref)
 {
     return ir_is(ir, ref, OP_select) &&

@@ -8,8 +8,8 @@
 
 typedef struct {
     int parent, depth; /* block 0 is the scope itself */
-    Ref first;         /* its nodes in order, linked by Schedule.next */
-    /* cost of its nodes and nested blocks; only set if there are several blocks */
+    Ref first;         /* first node of the block; Schedule.next links the others in order */
+    /* cost of the block's nodes and nested blocks; only set if there are several blocks */
     double cost;
 } Block;
 
@@ -27,16 +27,16 @@ typedef struct {
     int *block;     /* per Ref: the node's block */
     Ref *next;      /* per Ref: the next node of the same block */
     uint32_t *uses; /* per Ref: number of uses in this scope */
-    /* Per Ref of a select written as if/else: its block for true, followed by that for false;
-     * otherwise 0. */
+    /* Per Ref of a select written as if/else: the block for true; the block for false has the
+     * next number. 0 for other nodes. */
     int *arm;
     /* Per Ref: circular list of a region's selects, in increasing order; the node itself outside
      * regions. */
     Ref *mate;
-    uint8_t *branch; /* per Ref: a select that is written as if/else */
+    uint8_t *branch; /* per Ref: the node is a select written as if/else */
     /* Per Ref: max number of successive regions after the node; schedule.c. */
     uint32_t *stage;
-    struct Condition *conditions; /* by Ref of a condition; schedule.c */
+    struct Condition *conditions; /* indexed by the Ref of a condition; internal to schedule.c */
 } Schedule;
 
 Schedule schedule_new(const Ir *ir, Arena *arena);

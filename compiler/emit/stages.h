@@ -5,7 +5,7 @@
 #include "compiler/emit/emit.h"
 
 typedef struct {
-    const char *fragment; /* given by the caller */
+    const char *fragment; /* text of the fragment program, given by the caller */
     const char *vertex, *control, *evaluation, *geometry, *compute;
 } EmitStages;
 /* Generates the programs and links them with the fragment program. Returns false after reporting
@@ -14,7 +14,7 @@ bool emit_tessellation_stages(Session *session, const Job *job, const Interface 
                               EmitStages *made);
 bool emit_geometry_stages(Session *session, const Job *job, const Interface *interface,
                           EmitStages *made);
-/* The compute program is linked alone. */
+/* Emits the compute program, which is linked alone. */
 bool emit_compute_stage(Session *session, const Job *job, const Interface *interface,
                         EmitStages *made);
 #endif

@@ -5,8 +5,8 @@
 #include "compiler/layout/layout.h"
 #include <string.h>
 
-/* True if unpacking yields the slot: constant in the layout, or stored or constant in a case
- * that is read. */
+/* Returns true if unpacking yields the slot: constant in the layout, or stored or constant in a
+ * case that is read. */
 static bool comes_back(const Job *job, Slot slot)
 {
     if (layout_fixed(job->layout, slot))
@@ -18,7 +18,7 @@ static bool comes_back(const Job *job, Slot slot)
     return false;
 }
 
-/* The last case that is read; it needs no comparison. */
+/* Returns the last case that is read, which needs no comparison. */
 static int last_taken(const Job *job)
 {
     int last = job->layout->case_count - 1;

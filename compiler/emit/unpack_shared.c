@@ -16,7 +16,7 @@ static bool same_piece(const Piece *a, const Piece *b)
            a->shift == b->shift && a->count == b->count && same_field(a->field, b->field);
 }
 
-/* True for one component of a slot, or a whole slot. A gray field is one number for all
+/* Returns true for one component of a slot, or a whole slot. A gray field is one number for all
  * components, and other pieces distribute components to several slots. */
 static bool may_be_shared(const Piece *piece)
 {
@@ -25,7 +25,7 @@ static bool may_be_shared(const Piece *piece)
 
 static SlotComponent component_of(const Piece *piece) { return piece->field->source[piece->first]; }
 
-/* Returns the piece of a component in a case, or NULL. */
+/* Returns the piece of a component in a case; NULL: none. */
 static const Piece *piece_of(const Placement *placement, SlotComponent component)
 {
     for (int i = 0; i < placement->count; i++) {

@@ -17,10 +17,10 @@ typedef struct {
 
 /* Finds the shared pieces of the cases that the job reads; a single case shares nothing. */
 UnpackShared unpack_shared(const Job *job);
-/* True if some of the slot is shared, so that a case without the slot must reset it. */
+/* Returns true if some of the slot is shared, so that a case without the slot must reset it. */
 bool unpack_shares(const UnpackShared *shared, Slot slot);
-/* True if the piece is the shared one of its slot. */
+/* Returns true if the piece is the shared one of its slot. */
 bool unpack_is_shared(const UnpackShared *shared, const Piece *piece);
-/* True if the case is read back. */
+/* Returns true if the case is read back. */
 bool unpack_takes(const Job *job, int number);
 #endif

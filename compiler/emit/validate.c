@@ -8,7 +8,7 @@
 #include <pthread.h>
 #include <string.h>
 
-/* From Debian's libglslang-default-resource-limits, which has no C header. */
+/* Declared here because Debian's libglslang-default-resource-limits has no C header. */
 extern const glslang_resource_t *glslang_default_resource(void);
 
 static pthread_once_t initialised = PTHREAD_ONCE_INIT;

@@ -33,7 +33,7 @@ bool validate_stages(Session *session, Target target, const ValidateStages *stag
  * and *log on failure. */
 typedef struct {
     const char *at[VALIDATE_STAGES];
-    size_t size[VALIDATE_STAGES]; /* size in bytes */
+    size_t size[VALIDATE_STAGES]; /* size of each stage's text in bytes */
 } ValidateWords;
 bool validate_to_spirv(Session *session, const ValidateStages *stages, ValidateWords *words,
                        const char **log);

@@ -11,7 +11,7 @@
 /* Source of a varying: the attribute and uniform that it reads, and its expression. */
 typedef struct {
     Input input;
-    const char *attribute; /* declaration, or NULL */
+    const char *attribute; /* declaration of the attribute; NULL: none */
     const char *uniform;
     const char *expression;
 } Feed;
@@ -271,7 +271,7 @@ static void full_screen(Text *out, const Job *job, const Interface *interface)
     text_put(out, "    gl_Position = vec4(corner, 0.0, 1.0);\n}\n");
 }
 
-/* True for passes that draw a full-screen triangle. */
+/* Returns true for passes that draw a full-screen triangle. */
 static bool is_screen(const Job *job) { return job->pass == PASS_plane || job->pass == PASS_sky; }
 
 const char *emit_vertex(Session *session, const Job *job, const Interface *interface)
@@ -332,7 +332,7 @@ static void describe_attributes(Text *out, const Job *job, const Interface *inte
             text_put(out, ", ");
             emit_describe_part(out, attribute_declaration(interface->ir, i), "location",
                                in_out ? ATTRIBUTE_FIRST_LOCATION + i : -1);
-            out->at[--out->size] = 0; /* reopens the object */
+            out->at[--out->size] = 0; /* removes the closing brace to append members */
             attribute_describe(out, interface->ir->graph->attributes[i]);
         }
 }

@@ -5,7 +5,7 @@
 #include "compiler/emit/emit.h"
 
 typedef struct {
-    const char *declaration; /* type and name: "vec3 position" */
+    const char *declaration; /* declaration by type and name: "vec3 position" */
     int location;
 } VertexAttribute;
 enum { VERTEX_ATTRIBUTES = 10 + LIMIT_ATTRIBUTES };

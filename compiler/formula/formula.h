@@ -12,25 +12,25 @@
 #include "grammar/expression_tables.h"
 
 typedef enum {
-    FORMULA_number,     /* a literal; `number` holds it */
-    FORMULA_value,      /* a built-in quantity; row: a Quantity */
-    FORMULA_input,      /* row: index of the input */
-    FORMULA_attribute,  /* row: index of the document's attribute */
-    FORMULA_name,       /* before the check: a value or an input */
-    FORMULA_term,       /* row: a Term, applied to its arguments */
-    FORMULA_power,      /* power with a literal integer exponent: number */
-    FORMULA_components, /* swizzle; row: two bits per component, width: their number */
+    FORMULA_number,     /* literal, which `number` holds */
+    FORMULA_value,      /* built-in quantity; `row` is a Quantity */
+    FORMULA_input,      /* input; `row` is its index */
+    FORMULA_attribute,  /* mesh attribute; `row` is its index in the document */
+    FORMULA_name,       /* name of a value or an input, until the check resolves it */
+    FORMULA_term,       /* term applied to its arguments; `row` is a Term */
+    FORMULA_power,      /* power with a literal integer exponent, which `number` holds */
+    FORMULA_components, /* swizzle of `width` components; `row` has two bits per component */
     /* Vector of its arguments' components. row: the width, 0 for that of the arguments; a single
      * number is copied to all components. */
     FORMULA_list,
-    FORMULA_fault, /* a part with a reported syntax error */
+    FORMULA_fault, /* part with a reported syntax error */
 } FormulaKind;
 
 /* Widths of values: 1 to 4 components, or one of these. */
 enum { WIDTH_condition = 0, WIDTH_unknown = -1 };
 
 typedef struct {
-    uint8_t kind; /* a FormulaKind */
+    uint8_t kind; /* kind of the step, a FormulaKind */
     int8_t width;
     int row;
     uint32_t first, count; /* arguments: range of Formula.arguments, which holds step numbers */
@@ -44,12 +44,13 @@ typedef struct Formula {
     uint32_t *arguments;
     size_t argument_count, argument_capacity;
     uint32_t result;
-    int width;       /* width of the result, 1 to 4 */
-    int inputs;      /* number of inputs in use */
-    bool jumps;      /* a varying part is discontinuous or infinitely steep */
-    bool varies;     /* reads a point or an input */
-    bool meshed;     /* reads attributes of the mesh */
-    unsigned groups; /* 1 << Group of the point's quantities that it reads */
+    int width;   /* width of the result, 1 to 4 */
+    int inputs;  /* number of inputs in use */
+    bool jumps;  /* a varying part is discontinuous or infinitely steep */
+    bool varies; /* the formula reads a point or an input */
+    bool meshed; /* the formula reads attributes of the mesh */
+    /* set of the groups of the point's quantities that the formula reads: 1 << Group */
+    unsigned groups;
 } Formula;
 
 /* A parsed attribute("wetness", float, 0). */
@@ -68,7 +69,7 @@ typedef struct {
     uint32_t size;
     bool srgb; /* hex colors are sRGB */
     void *user;
-    /* Called for each hex color with its components before `srgb` decodes them; or NULL. */
+    /* Called for each hex color with its components before `srgb` decodes them; NULL: no calls. */
     void (*color)(void *user, uint32_t start, uint32_t end, const double *components);
     /* Returns the source span of a byte range of the text. */
     Span (*span)(void *user, uint32_t start, uint32_t end);
@@ -89,11 +90,13 @@ bool formula_check(const FormulaSource *source, Formula *formula, const Names *l
 
 /* Inputs of an evaluation, and buffers for the steps' values. formula_value.c */
 typedef struct {
-    double quantity[QUANTITY_COUNT][4]; /* constants are ignored */
+    /* values of the quantities, of which constants are ignored */
+    double quantity[QUANTITY_COUNT][4];
     const double (*inputs)[4];
-    const double (*attributes)[4]; /* the document's; a scalar is in all components */
-    const void *noise;             /* a ReferenceContext */
-    double (*values)[4];           /* buffer for formula->count values */
+    /* values of the document's attributes; a scalar is in all components */
+    const double (*attributes)[4];
+    const void *noise;   /* state of the noise functions, a ReferenceContext */
+    double (*values)[4]; /* buffer for formula->count values */
 } FormulaPoint;
 /* Evaluates a formula in double precision to formula->width components, by the VALUE lines of
  * expression.def. */

@@ -27,7 +27,8 @@ static bool take(FormulaReader *r, const char *symbol, const char *what)
     return is;
 }
 
-/* True for a letter followed by letters, digits and single '_', valid inside a GLSL identifier. */
+/* Returns true for a letter followed by letters, digits and single '_', valid inside a GLSL
+ * identifier. */
 static bool is_name(const char *name, size_t size)
 {
     bool fine = size > 0 && size <= LONGEST_NAME && text_is_letter(*name) && name[size - 1] != '_';
@@ -136,7 +137,7 @@ static bool read_default(FormulaReader *r, FormulaAttribute *made)
 
 static bool read_whole(FormulaReader *r, FormulaAttribute *made)
 {
-    formula_next(r); /* the bracket, already checked */
+    formula_next(r); /* takes the bracket, which was already checked */
     if (!read_name(r, made) || !take(r, ",", "a ',' and a type") || !read_type(r, &made->type))
         return false;
     if (formula_is(r, ",")) {

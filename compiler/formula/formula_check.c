@@ -11,7 +11,7 @@ typedef struct {
     Session *session;
     Formula *f;
     const Names *locals;
-    bool *varies; /* per step: depends on the point or an input */
+    bool *varies; /* per step: the result depends on the point or an input */
     bool failed;
 } Check;
 
@@ -266,7 +266,7 @@ static int check_list(Check *c, const FormulaStep *step)
     return fail(c);
 }
 
-/* True if all arguments have a known width, so none is faulty. */
+/* Returns true if all arguments have a known width, so none is faulty. */
 static bool are_known(const Check *c, const FormulaStep *step)
 {
     for (uint32_t i = 0; i < step->count; i++)
@@ -295,7 +295,7 @@ static int width_of(Check *c, FormulaStep *step)
     }
 }
 
-/* A power with an exponent below 1 is infinitely steep at 0. */
+/* Returns true if a step jumps. A power with an exponent below 1 is infinitely steep at 0. */
 static bool jumps(const Formula *f, const FormulaStep *step)
 {
     if (step->kind != FORMULA_term || !term_table[step->row].jumps)

@@ -42,7 +42,7 @@ static void read_number(const FormulaSource *s, Token *token)
                       : TOKEN_other;
 }
 
-/* True for '#' and three, six or eight hexadecimal digits. */
+/* Returns true for '#' and three, six or eight hexadecimal digits. */
 static bool is_color(const FormulaSource *s, const Token *token)
 {
     const uint32_t size = formula_token_size(*token) - 1;
@@ -68,7 +68,7 @@ int formula_color(const FormulaSource *s, const Token *token, double color[4])
     return components;
 }
 
-/* True for structural characters, which begin no operator. */
+/* Returns true for structural characters, which begin no operator. */
 static bool is_structure(char c)
 {
     return c == '(' || c == ')' || c == ',' || c == '[' || c == ']' || c == ';' || c == '.' ||

@@ -5,26 +5,27 @@
 
 typedef enum {
     TOKEN_end,
-    TOKEN_number, /* a literal; `number` holds its value */
-    TOKEN_color,  /* a hex color: formula_color() */
+    TOKEN_number, /* literal number, which `number` holds */
+    TOKEN_color,  /* hex color, decoded by formula_color() */
     TOKEN_name,
-    TOKEN_text,   /* a string in single or double quotes, including the quotes */
+    TOKEN_text,   /* string in single or double quotes, including the quotes */
     TOKEN_symbol, /* operators, brackets, and , ; = ? : . */
-    TOKEN_other,  /* an invalid character, or a malformed number or color */
+    TOKEN_other,  /* invalid character, or malformed number or color */
 } TokenKind;
 
 typedef struct {
     TokenKind kind;
-    uint32_t start, end; /* byte range */
-    uint16_t mark;       /* formula_mark of a symbol; 0: no symbol */
-    int symbol;          /* its first row of symbol_table; symbol_count: none */
+    uint32_t start, end; /* byte range of the token in the text */
+    uint16_t mark;       /* formula_mark() of a symbol; 0: not a symbol */
+    /* first row of the token's symbol in symbol_table; symbol_count: not a symbol */
+    int symbol;
     double number;
 } Token;
 
 /* Returns the token at this byte or after the white space there. */
 Token formula_token(const FormulaSource *source, uint32_t at);
 static inline uint32_t formula_token_size(Token token) { return token.end - token.start; }
-/* True if the text contains the word at this byte. */
+/* Returns true if the text contains the word at this byte. */
 static inline bool formula_begins(const FormulaSource *source, uint32_t at, const char *word)
 {
     while (at < source->size && *word && source->text[at] == *word)

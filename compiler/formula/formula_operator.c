@@ -2,7 +2,8 @@
 #include "compiler/formula/formula_reader.h"
 #include <string.h>
 
-/* Index of a component by the set that contains all letters: w is index 2 in uvw, otherwise 3. */
+/* Returns the index of a component by the set that contains all letters: w is index 2 in uvw,
+ * otherwise 3. */
 static int component_of(const char *letters, char letter)
 {
     static const char *const sets[] = {"xyzw", "rgba", "uvw"};
@@ -12,7 +13,7 @@ static int component_of(const char *letters, char letter)
     return -1;
 }
 
-/* True for one to four letters of one set. */
+/* Returns true for one to four letters of one set. */
 static bool is_swizzle(const char *letters)
 {
     static const char *const sets[] = {"xyzw", "rgba", "uvw"};
@@ -125,7 +126,7 @@ static bool read_comma(FormulaReader *r)
     }
     if (!formula_report_decimal(r))
         formula_report(r, DIAG_formula_comma);
-    r->operand_count--; /* the operand after the comma replaces both */
+    r->operand_count--; /* the operand after the comma replaces both operands */
     return false;
 }
 
@@ -154,8 +155,8 @@ static const SymbolRow *infix_of(const FormulaReader *r)
     return NULL;
 }
 
-/* True if a local's value is followed by the start of the next part without ';': a name and its
- * '=', or a value on a new line, with no bracket open. */
+/* Returns true if a local's value is followed by the start of the next part without ';': a name
+ * and its '=', or a value on a new line, with no bracket open. */
 static bool lacks_semicolon(const FormulaReader *r)
 {
     bool line = false;
@@ -168,7 +169,7 @@ static bool lacks_semicolon(const FormulaReader *r)
     return r->in_local && (line || (r->token.kind == TOKEN_name && formula_token_is(&next, "=")));
 }
 
-/* Detects "**". */
+/* Detects the operator "**" of other languages. */
 static bool is_power_of_others(const FormulaReader *r)
 {
     return r->token.kind == TOKEN_other && formula_begins(r->s, r->token.start, "**");
@@ -193,7 +194,7 @@ static void report_no_operator(FormulaReader *r)
     }
 }
 
-/* True for a ';' within a closed bracket that has parts: a ',' is meant. */
+/* Returns true for a ';' within a closed bracket that has parts: a ',' is meant. */
 static bool divides_arguments(const FormulaReader *r)
 {
     size_t open = r->wait_count;

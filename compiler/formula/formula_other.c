@@ -50,7 +50,7 @@ static IfParts find_parts(const FormulaReader *r)
             part = yes ? &c.yes : &c.no;
             continue;
         }
-        if (closed && begins_value(t)) /* if (CONDITION) YES else NO */
+        if (closed && begins_value(t)) /* the C-like form `if (CONDITION) YES else NO` */
             part = &c.yes;
         part->start = part->end ? part->start : t->start;
         part->end = t->end;
@@ -83,7 +83,8 @@ bool formula_read_if(FormulaReader *r)
     if (!is_called(r, &r->token, "if"))
         return false;
     const IfParts c = find_parts(r);
-    if (c.bracketed && !c.yes.end && !c.no.end) /* if(a, b, c) is reported as an unknown function */
+    /* `if(a, b, c)` is reported as an unknown function */
+    if (c.bracketed && !c.yes.end && !c.no.end)
         return false;
     r->faults++;
     diag_add(r->session, formula_token_span(r), DIAG_formula_if, choice_text(r, &c));
@@ -148,7 +149,7 @@ static bool is_suffix_of_c(const char *letters)
     return false;
 }
 
-/* Returns the number that ends directly before the token, or NULL. */
+/* Returns the number that ends directly before the token; NULL: none. */
 static const FormulaStep *number_before(const FormulaReader *r)
 {
     const FormulaStep *step =

@@ -31,7 +31,7 @@ static uint32_t read_value(FormulaReader *r)
     return r->operand_count ? r->operands[0] : 0;
 }
 
-/* True if the next tokens are name "=". */
+/* Returns true if the next tokens are name "=". */
 static bool is_local(const FormulaReader *r)
 {
     if (r->token.kind != TOKEN_name)

@@ -18,8 +18,8 @@ typedef enum {
 typedef struct {
     FormulaWaitKind kind;
     OperatorLevel level;
-    int row;     /* a Term; for WAIT_list the width, 0 for that of the parts */
-    size_t base; /* number of operands before it */
+    int row;     /* a Term; for WAIT_list the width; 0: the width of the parts */
+    size_t base; /* number of operands before the construct */
     uint32_t start, end;
 } FormulaWait;
 
@@ -36,7 +36,7 @@ typedef struct {
     uint32_t *local_steps; /* step of each local */
     size_t local_count, local_capacity;
     int faults;
-    bool in_local; /* parsing a local's value, which ends with ';' */
+    bool in_local; /* the reader is within a local's value, which ends with ';' */
 } FormulaReader;
 
 static inline Span formula_span(const FormulaReader *r, uint32_t start, uint32_t end)

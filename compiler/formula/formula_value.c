@@ -237,7 +237,8 @@ static double whole_power(double a, int n)
     return n < 0 ? quotient(1, product) : product;
 }
 
-/* A scalar is computed once and copied to all components. */
+/* Returns the number of components to compute: a scalar is computed once and copied to all
+ * components. */
 static int components_of(const FormulaStep *step) { return step->width <= 1 ? 1 : 4; }
 
 static void term_value(const Formula *f, const FormulaStep *step, const FormulaPoint *point,

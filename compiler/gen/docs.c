@@ -20,7 +20,7 @@ static void fail(const char *what, const char *why)
     exit(1);
 }
 
-/* Returns a file's text, or NULL. */
+/* Returns the text of a file; NULL: unreadable. */
 static char *read_file_text(const char *path)
 {
     FILE *file = fopen(path, "rb");

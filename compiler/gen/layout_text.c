@@ -12,8 +12,8 @@ typedef struct {
 typedef struct {
     const char *file;
     char c_prefix[NAME], glsl_prefix[NAME], type[NAME];
-    Known known[ROWS_MAX]; /* names of the whole file */
-    int known_count, at;   /* at: words so far */
+    Known known[ROWS_MAX]; /* names of all rows of the file */
+    int known_count, at;   /* `at`: number of words written so far */
     int open;              /* an enum has been opened */
 } Layout;
 

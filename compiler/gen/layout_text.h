@@ -16,7 +16,7 @@
 #define MATC_GEN_LAYOUT_TEXT_H
 #include <stdio.h>
 
-/* True if the path names a layout, such as "a/pool.layout.def". */
+/* Returns true if the path names a layout, such as "a/pool.layout.def". */
 int layout_text_is(const char *path);
 /* Write the declarations of a layout file's text. `name` is the file's name without ".def".
  * Return 0 after reporting a wrong row. */

@@ -65,7 +65,7 @@ bool value_is_zero(const Value *value)
     return value->kind == VALUE_number || value->kind == VALUE_none;
 }
 
-/* Returns a parameter's map, or NULL. */
+/* Returns a parameter's map; NULL: none. */
 static const Node *map_of(const Node *material, int param)
 {
     const Value *value = node_param(material, param);
@@ -99,8 +99,8 @@ static unsigned lobes_of(const Graph *graph, const Node *principled)
     return lobes;
 }
 
-/* True unless the emission strength or color is zero. A glTF material without emissiveFactor has
- * strength 1 and a black color. */
+/* Returns true unless the emission strength or color is zero. A glTF material without
+ * emissiveFactor has strength 1 and a black color. */
 static unsigned principled_emits(const Node *material)
 {
     const bool dark = value_is_zero(node_param(material, P_Principled_emission)) ||

@@ -12,15 +12,16 @@ typedef struct Node Node;
 typedef struct Wave Wave;
 
 typedef enum {
-    VALUE_none,      /* absent */
-    VALUE_number,    /* number, with `type` components */
-    VALUE_uniform,   /* uniform, of `type`; number holds its default */
-    VALUE_node,      /* node: a map or a material */
-    VALUE_wave,      /* wave */
+    VALUE_none,      /* the parameter is absent */
+    VALUE_number,    /* number with the components of `type` */
+    VALUE_uniform,   /* uniform of type `type`; `number` holds its default */
+    VALUE_node,      /* map or material, which `node` holds */
+    VALUE_wave,      /* wave, which `wave` holds */
     VALUE_transform, /* transform */
     VALUE_image,     /* image */
-    VALUE_items,     /* items; for PARAM_Maps the maps that the formula reads, in its order */
-    VALUE_formula,   /* formula */
+    /* items; for PARAM_Maps the maps that the formula reads, in the order of its inputs */
+    VALUE_items,
+    VALUE_formula, /* formula */
 } ValueKind;
 
 /* A uniform by its name: a value that the host sets at run time. Equal names in a document are
@@ -28,7 +29,7 @@ typedef enum {
 typedef struct {
     const char *name;
     Type type;         /* the default's type as written; the slot may convert it to int */
-    double initial[4]; /* default value */
+    double initial[4]; /* default value of the uniform */
     Span span;
     int index; /* index in the document's list of uniforms */
 } Uniform;
@@ -36,7 +37,7 @@ typedef struct {
 /* A vertex attribute of the mesh, by name. Equal names in a document are one attribute. */
 typedef struct {
     const char *name;
-    Type type;         /* float, vec2, vec3 or vec4 */
+    Type type;         /* type of the attribute: float, vec2, vec3 or vec4 */
     double initial[4]; /* default for meshes without the attribute */
     Span span;
     int index; /* index in the document's list of attributes */
@@ -55,7 +56,7 @@ typedef struct {
 typedef struct Value {
     ValueKind kind;
     Type type;  /* type of a number or uniform, before any conversion */
-    bool given; /* written in the document; false: the default */
+    bool given; /* the value is written in the document; false: the default */
     /* A number written as a color: "#ff8800", red; also such a default of a param. */
     bool color;
     /* Set in a material translated from another model: 1 + the author's parameter from which the
@@ -63,7 +64,7 @@ typedef struct Value {
     int16_t written;
     Span span;
     union {
-        double number[4]; /* components of the type; also bool and int */
+        double number[4]; /* components of the number; also holds a bool or int */
         const Uniform *uniform;
         const Node *node;
         const Wave *wave;
@@ -80,12 +81,13 @@ struct Node {
     int index; /* position in the document's list of nodes: dense, inputs before users */
     Span span;
     const Value *params;
-    int depth;         /* depth of the graph below it, 0 for a node without inputs; limited */
+    int depth;         /* depth of the graph below the node, 0 for a node without inputs; limited */
     int filters;       /* max number of filters on a path below, including this node; limited */
     const char *name;  /* author's name: its key under `defs:`, or its anchor; NULL: unnamed */
     const char *owner; /* nearest enclosing name, or the slot; NULL: neither */
-    bool steps;        /* it or a map below is discontinuous (has a STEP row) or is an image */
-    int8_t width;      /* components of its value when a formula reads it: 1 to 4; 0: a material */
+    /* this map or a map below is discontinuous (has a STEP row) or is an image */
+    bool steps;
+    int8_t width; /* components of its value when a formula reads it: 1 to 4; 0: a material */
     /* the author's kind, which differs for a material translated from another model */
     Kind written;
 };
@@ -102,8 +104,8 @@ static inline const char *node_written_param(const Node *node, int i)
 }
 
 typedef struct {
-    Value value;       /* position in the blend; a Float */
-    const Node *input; /* NULL: the surface itself */
+    Value value;       /* position in the blend, a Float */
+    const Node *input; /* input of the map; NULL: the surface itself */
     Span span;
     int8_t width; /* components in which a formula reads the input; 0: the input's own */
     /* Set in a material translated from another model: the parameter is no color, whatever the
@@ -118,8 +120,8 @@ typedef struct Items {
 /* A Chain maps v to second(factor * first(v) + shift); other kinds are functions of waves.def. */
 struct Wave {
     WaveKind kind;
-    const Wave *first, *second; /* Chain only; NULL: identity */
-    Value factor, shift;        /* Chain only; Float */
+    const Wave *first, *second; /* waves of a Chain; NULL: identity */
+    Value factor, shift;        /* numbers of a Chain, each a Float */
     int length;                 /* number of waves applied to v in sequence; limited */
 };
 
@@ -134,10 +136,10 @@ typedef enum {
  * H02, H12 = shear. */
 typedef struct Transform {
     TransformKind kind;
-    Value scale;       /* Float for TRANSFORM_scale, Vec3 for components */
-    Value translation; /* a Vec3 */
+    Value scale;       /* a Float for TRANSFORM_scale, a Vec3 for components */
+    Value translation; /* translation, a Vec3 */
     Value rotation;    /* Euler angles in radians; a Vec3 */
-    Value shear;       /* a Vec3 */
+    Value shear;       /* shear, a Vec3 */
     double matrix[16];
 } Transform;
 
@@ -155,10 +157,10 @@ typedef struct {
     /* Per node index: 1 << Model of the material's surface model, MODEL_LOBE of its possible
      * lobes, MODEL_EMITS and MODEL_RELIEF. */
     unsigned *models;
-    Uniform *const *uniforms; /* their defaults may change: matc_set_default */
+    Uniform *const *uniforms; /* matc_set_default may change the uniforms' defaults */
     int uniform_count;
     Names uniform_names;              /* names in the order of `uniforms` */
-    MeshAttribute *const *attributes; /* max LIMIT_ATTRIBUTES entries */
+    MeshAttribute *const *attributes; /* at most LIMIT_ATTRIBUTES attributes */
     int attribute_count;
     Names attribute_names; /* names in the order of `attributes` */
     const Image *const *images;
@@ -184,17 +186,17 @@ typedef struct {
     const Value *height, *vector, *scale, *bound, *volume, *threshold;
 } Displacement;
 Displacement graph_displacement(const Node *material);
-/* True if a map displaces the surface or replaces it by a volume. */
+/* Returns true if a map displaces the surface or replaces it by a volume. */
 bool graph_displaces(const Node *material);
-/* True if a volume replaces the surface; `height` and `vector` are then ignored. */
+/* Returns true if a volume replaces the surface; `height` and `vector` are then ignored. */
 bool graph_displaces_volume(const Node *material);
-/* True if the value is 0 everywhere. */
+/* Returns true if the value is 0 everywhere. */
 bool value_is_zero(const Value *value);
 /* Fills graph->models (allocated by the caller) for nodes given inputs first. A missing material
  * is a gray Phong. */
 void graph_find_models(Graph *graph, const Node *const *nodes, size_t count);
-/* True if the coat of a Principled or a Layer has the normal of its base: both use the surface's
- * normal, or the same map. */
+/* Returns true if the coat of a Principled or a Layer has the normal of its base: both use the
+ * surface's normal, or the same map. */
 bool graph_coat_follows(const Graph *graph, const Node *coated);
 
 /* Returns the parameter P_<kind>_<name> of tables.h. */

@@ -59,7 +59,7 @@ static const char own[] = "Constants Draw Levels Material Surface VULKAN carpent
                           "fragment4 fragment5 fragment6 fragment7 main matc normal p position st "
                           "tangentU tangentV texcoord";
 
-/* True if a list of words separated by spaces contains a word. */
+/* Returns true if a list of words separated by spaces contains a word. */
 static bool has_word(const char *list, const char *word)
 {
     const size_t size = strlen(word);
@@ -96,7 +96,7 @@ static bool is_opaque_type(const char *name)
 
 static bool is_size(char c) { return c >= '2' && c <= '4'; }
 
-/* True for vector and matrix types: vec2, dvec3, mat4, dmat2x3. */
+/* Returns true for vector and matrix types: vec2, dvec3, mat4, dmat2x3. */
 static bool is_number_type(const char *name)
 {
     const char *start = *name && strchr("bdfhiu", *name) ? name + 1 : name,
@@ -112,7 +112,7 @@ static bool is_type(const char *name) { return is_opaque_type(name) || is_number
 
 static bool is_letter(char c) { return text_is_alphanumeric(c) || c == '_'; }
 
-/* True if a text calls or defines a function of that name. */
+/* Returns true if a text calls or defines a function of that name. */
 static bool calls(const char *text, const char *name)
 {
     size_t size = strlen(name);
@@ -122,7 +122,7 @@ static bool calls(const char *text, const char *name)
     return false;
 }
 
-/* True if the name is a function of the library or a helper, in any variant. */
+/* Returns true if the name is a function of the library or a helper, in any variant. */
 static bool is_function(const char *name)
 {
     for (int i = 0; i < chunk_count; i++)

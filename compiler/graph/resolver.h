@@ -34,7 +34,7 @@ typedef struct {
     size_t attribute_count, attribute_capacity;
     Names attribute_names;
     const Image **images;
-    size_t image_count, image_capacity, image_bytes; /* image_bytes: size of all texels */
+    size_t image_count, image_capacity, image_bytes; /* `image_bytes` is the size of all texels */
     Names image_paths;
     GltfFiles gltf_files; /* glTF files that contain images */
     Names broken_paths;   /* paths of unreadable images; `broken` holds the reasons */
@@ -47,12 +47,12 @@ typedef struct {
     int node_count;
     /* Per parameter: its default map; NULL until a node needs it. */
     const Node *defaults[PARAM_COUNT];
-    const Node **nodes; /* all nodes except plain numbers */
+    const Node **nodes; /* all nodes of the document except plain numbers */
     size_t named_count, named_capacity;
     Expansion **expansions;
     size_t expansion_count, expansion_capacity;
     HashIndex expansion_index;
-    bool overgrown;           /* too many expansions; already reported */
+    bool overgrown;           /* there were too many expansions, which was reported */
     size_t copied;            /* tree nodes copied for expansions */
     const Member *definition; /* the definition with parameters being read; NULL: none */
     const char *param;        /* the parameter whose constant is being read; NULL: none */

@@ -71,7 +71,7 @@ bool common_error_key(Session *session, Span span, const char *text)
     const Source *source = &session->sources[span.file];
     const size_t size = strcspn(text, " :");
     if (!text[size] || !text[size + 1] || span.start + size >= source->size ||
-        /* text in quotes, or folded over several lines */
+        /* the text is in quotes, or folded over several lines */
         strncmp(source->text + span.start, text, size + 1) != 0)
         return false;
     const char *key = arena_string(session->arena, text, size);

@@ -54,7 +54,7 @@ static bool ends_as_picture(const Tree *tree)
     return false;
 }
 
-/* True if the text has an operator or a call, or is a quantity of formulas. */
+/* Returns true if the text has an operator or a call, or is a quantity of formulas. */
 static bool looks_like_formula(const char *text, size_t size)
 {
     static const char *const colors[] = {"srgb(", "linear(", "rgb(", "rgba(", "hsl(", "hsv(", "#"};

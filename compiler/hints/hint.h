@@ -33,7 +33,7 @@ bool hint_document(Session *session, const Tree *document);
 /* Returns "; it comes with matc: `include: rust.yaml`" for a name that a library file defines
  * but no file of the document; otherwise NULL. hint_library.c */
 const char *hint_shipped(Session *session, const char *name);
-/* Returns the library's row of a name, or NULL. */
+/* Returns the library's row of a name; NULL: none. */
 const LibraryName *hint_library_name(const char *name);
 /* Returns a hint for a definition's name in the place of a kind, `map: rust`, if the document or
  * the library defines it. hint_library.c */

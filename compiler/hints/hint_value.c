@@ -12,7 +12,7 @@ enum { BYTE = 255, COLOR_COMPONENTS = 4, FULL_CIRCLE = 360 };
 typedef struct {
     int count;
     double number[COLOR_COMPONENTS];
-    bool percent[COLOR_COMPONENTS], whole; /* whole: no argument has a decimal point */
+    bool percent[COLOR_COMPONENTS], whole; /* `whole`: no argument has a decimal point */
 } Arguments;
 
 /* Parses "(255, 0, 0)" or "(120 50% 50%)"; false unless it has three or four numbers. */
@@ -44,7 +44,7 @@ static double share(const Arguments *a, int i, double full)
  * triangular ramp of HSL and HSV, scaled by the chroma. */
 static double component_of_hue(double hue, int component, double low, double chroma)
 {
-    /* 3: center of this component's ramp */
+    /* sector relative to the center of the component's ramp, which is 3 */
     const double sector = fmod(hue / (FULL_CIRCLE / 6.) + 6 - 2 * component + 3, 6);
     const double ramp = 2 - fabs(sector - 3);
     return low + chroma * fmin(fmax(ramp, 0), 1);
@@ -111,7 +111,7 @@ static bool hint_function(Resolver *r, const Tree *tree)
     return false;
 }
 
-/* Reports 0xff8800. */
+/* Reports a hexadecimal number such as 0xff8800 in the place of a color. */
 static bool hint_hexadecimal(Resolver *r, const Tree *tree)
 {
     const char *digits = tree->text + 2;

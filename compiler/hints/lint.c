@@ -75,7 +75,7 @@ void lint_units(Session *session, const Node *node)
     }
 }
 
-/* True for a map that yields a pattern of colors or a single number, but no direction. */
+/* Returns true for a map that yields a pattern of colors or a single number, but no direction. */
 static bool is_plain(const Node *map)
 {
     const Section section = section_of(map->kind);
@@ -142,7 +142,7 @@ static void lint_lost(Session *session, const Node *material)
     }
 }
 
-static const double MIN_FUZZ = .2; /* minimum in surface_principled.glsl */
+static const double MIN_FUZZ = .2; /* min fuzz roughness of surface_principled.glsl */
 /* min value of a color's largest component for which integer components look like bytes */
 enum { LOOKS_LIKE_BYTE = 16, BYTE = 255 };
 
@@ -151,20 +151,20 @@ typedef enum {
     ASKED_xyz = MOVES_xyz,
     ASKED_uv = MOVES_uv,
     ASKED_color = 4,
-    ASKED_shininess = 8, /* the red component, which a material reads as an exponent */
+    ASKED_shininess = 8, /* red component, which a material reads as an exponent */
     ASKED_slope = 16,    /* derivatives by u and v */
     ASKED_other = 32,    /* normal, index of refraction, world position */
-    ASKED_light = 64,    /* a color of light, of unbounded intensity */
+    ASKED_light = 64,    /* color of light, of unbounded intensity */
     ASKED_shape = 128,   /* additional flag: the value displaces the surface */
     ASKED_shown = ASKED_color | ASKED_shininess,
 } Asked;
 
 typedef struct {
     Session *session;
-    unsigned *asked;        /* by node's index: Asked */
+    unsigned *asked;        /* per node index: a set of Asked bits */
     const Node **reader;    /* per node index: one of the nodes that query it */
-    const unsigned *models; /* the graph's models */
-    bool saying;            /* all queries are known */
+    const unsigned *models; /* models of the graph's materials */
+    bool saying;            /* all queries are known, so findings may be reported */
 } LintFindings;
 
 /* Returns the components of a number, or of a param's default. */
@@ -260,7 +260,7 @@ static void ask(LintFindings *d, const Node *reader, const Node *node, unsigned 
     d->reader[node->index] = reader;
 }
 
-/* Queries of a kind that has the parameter `dimensions`. */
+/* Returns the queries of a kind that has the parameter `dimensions`. */
 static unsigned asked_by_dimensions(const Node *node)
 {
     const KindRow *row = &kind_table[node->kind];
@@ -271,7 +271,7 @@ static unsigned asked_by_dimensions(const Node *node)
     return number[0] < 3 ? ASKED_uv : ASKED_xyz;
 }
 
-/* Queries that a formula makes of its point. */
+/* Returns the queries that a formula makes of its point. */
 static unsigned asked_of_point(const Node *node)
 {
     const Value *is = node_param(node, P_Expression_is);
@@ -290,7 +290,7 @@ static unsigned asked_by_math(unsigned asked)
     return asked & ASKED_slope ? ASKED_slope : ASKED_other;
 }
 
-/* Queries that a map makes of its input when the map itself is queried. */
+/* Returns the queries that a map makes of its input when the map itself is queried. */
 static unsigned asked_of_input(const Node *node, unsigned asked)
 {
     const KindRow *row = &kind_table[node->kind];
@@ -315,7 +315,7 @@ static unsigned asked_of_input(const Node *node, unsigned asked)
     }
 }
 
-/* Queries that a material or map makes of the map of a parameter. */
+/* Returns the queries that a material or map makes of the map of a parameter. */
 static unsigned asked_of_param(const Node *node, const ParamRow *param, unsigned asked)
 {
     if (section_of(node->kind) == SECTION_normal)
@@ -330,7 +330,7 @@ static unsigned asked_of_param(const Node *node, const ParamRow *param, unsigned
         return ASKED_shininess;
     if ((node->kind == KIND_Principled || node->kind == KIND_Layer) &&
         !param_is_colored((int)(param - param_table)))
-        return ASKED_color | ASKED_light; /* a number of any magnitude */
+        return ASKED_color | ASKED_light; /* the number may have any magnitude */
     return strcmp(param->name, "emissive") ? ASKED_color : ASKED_color | ASKED_light;
 }
 

@@ -23,7 +23,7 @@ enum {
 
 typedef struct {
     const uint8_t *bytes;
-    /* header: its size; rows, stride: offset of the rows, bytes of a row */
+    /* in bytes: sizes of the file and of its header; offset of the rows, size of a row */
     size_t size, header, rows, stride;
     unsigned bits, compression;
     bool from_top;
@@ -62,7 +62,7 @@ static const char *read_sizes(Bmp *bmp, Image *image)
     return NULL;
 }
 
-/* True for contiguous set bits; a zero mask means a missing component. */
+/* Returns true for contiguous set bits; a zero mask means a missing component. */
 static bool is_mask(uint32_t mask)
 {
     while (mask && !(mask & 1))

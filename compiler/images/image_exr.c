@@ -15,7 +15,8 @@
 
 enum {
     COMPONENTS = 4,
-    MAX_HEADER = 1 << 18, /* bytes: the library takes quadratic time for long headers */
+    /* max bytes of a header: the library takes quadratic time for long headers */
+    MAX_HEADER = 1 << 18,
     /* Max bytes of one allocation of the library: a block of lines, a tile, or a table of them. */
     MAX_ALLOCATION = 256 << 20,
     /* Min bytes of a block of lines or a tile: its table entry and its header. */
@@ -39,8 +40,8 @@ typedef struct {
     const exr_attr_chlist_t *channels;
     /* Index of the red, green, blue and alpha channel in the file; NONE: missing. */
     int component[COMPONENTS];
-    bool header_read; /* texels are being read */
-    const char *why;  /* the first fault */
+    bool header_read; /* the header has been read, and texels are being read */
+    const char *why;  /* reason of the first fault */
 } ExrReader;
 
 enum { NONE = -1 };
@@ -110,7 +111,7 @@ static int64_t on_read(exr_const_context_t exr, void *user, void *to, uint64_t s
     return (int64_t)count;
 }
 
-/* Size of a window in texels. */
+/* Returns the size of a window in texels. */
 static double width_of(const exr_attr_box2i_t *box) { return (double)box->max.x - box->min.x + 1; }
 static double height_of(const exr_attr_box2i_t *box) { return (double)box->max.y - box->min.y + 1; }
 

@@ -7,7 +7,7 @@
 
 typedef struct {
     Session *session;
-    const char *at, *end; /* unread bytes */
+    const char *at, *end; /* range of the unread bytes */
     size_t capacity;      /* bytes that images may still use */
     Image *image;         /* the image being read */
     Arena memory;         /* texels and decoder memory: freed if the file is broken */

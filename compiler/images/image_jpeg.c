@@ -145,8 +145,9 @@ static void read_rows(JpegReader *d)
     const size_t stride = (size_t)d->file->image->width * 4,
                  height = (size_t)d->file->image->height;
     JSAMPROW first = arena_alloc(&d->file->memory, stride);
-    d->jpeg.out_color_space = JCS_EXT_RGBA; /* alpha is 255 */
-    d->jpeg.dct_method = JDCT_ISLOW;        /* the same bytes on every machine */
+    d->jpeg.out_color_space = JCS_EXT_RGBA; /* sets alpha to 255 */
+    /* the integer DCT gives the same pixels on every machine */
+    d->jpeg.dct_method = JDCT_ISLOW;
     jpeg_start_decompress(&d->jpeg);
     jpeg_read_scanlines(&d->jpeg, &first, 1);
     const char *why = image_file_allocate(d->file);

@@ -15,7 +15,7 @@ typedef struct {
     png_infop info;
     png_bytep *rows; /* pointers to the rows, in the order of the file */
     png_bytep first; /* the first row, if it was decoded before the others were allocated */
-    const char *why; /* message of the fault */
+    const char *why; /* message of the first fault */
 } PngReader;
 
 enum { MAX_DEFLATED = 1032 }; /* max expansion ratio of deflate */

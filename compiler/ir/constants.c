@@ -127,7 +127,7 @@ static void make_capacity(Ir *ir, int count)
         ir->args[i] += (Ref)count;
     for (size_t f = 0; f < ir->function_count; f++) {
         ir->functions[f].result += (Ref)count;
-        /* functions may share a list */
+        /* copies the list, as functions may share it */
         Ref *moved = ARENA_ARRAY(ir->arena, Ref, ir->functions[f].count);
         for (int i = 0; i < ir->functions[f].count; i++)
             moved[i] = ir->functions[f].arguments[i] + (Ref)count;
@@ -196,8 +196,8 @@ static void order(const IrConstant *list, size_t count, size_t *to)
         }
 }
 
-/* True for an unnamed Constant map, whose kind is no useful name. The member is then named after
- * its user. */
+/* Returns true for an unnamed Constant map, whose kind is no useful name. The member is then
+ * named after its user. */
 static bool is_nameless(const Ir *ir, const IrConstant *constant)
 {
     const Node *map = ir_origin_map(ir, constant->origin);

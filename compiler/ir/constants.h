@@ -16,8 +16,8 @@ void constants_hoist(Ir *ir);
 /* A use of a numeric literal: an operand of a node, or an output (user 0). */
 typedef struct {
     Ref user;
-    int operand; /* operand index; for an output, its index in the Ir */
-    Ref value;   /* a literal of a float or word type */
+    int operand; /* index of the operand; for an output, index of the output in the Ir */
+    Ref value;   /* literal of a float or word type */
 } NumberPlace;
 /* Replaces the literal at places[i] by member[i] of the block; -1 keeps it. Places that share a
  * member have equal numbers. The order of the places is that of ir_key's walk. */
@@ -27,7 +27,7 @@ void constants_place(Ir *ir, const NumberPlace *places, const int *member, int c
  * widest first, a scalar after each vec3. Sorts the Ir's list by offset; the order is equal for
  * programs of one key. */
 void constants_finish(Session *session, Ir *ir, const int *list, size_t count);
-/* True for types that a uniform block can hold: floats and words. */
+/* Returns true for types that a uniform block can hold: floats and words. */
 bool constant_storable(Type type);
 /* Returns the bits of a component in a block: a float, or an unsigned word. */
 uint32_t constant_bits(double value, bool word);

@@ -153,6 +153,6 @@ bool fold_node(const Ir *ir, const IrNode *node, const Ref *args, double *result
         return false;
     for (int i = 0; i < type_table[node->type].components; i++)
         if (!isfinite(result[i]))
-            return false; /* the result is left to the shader */
+            return false; /* leaves the result to the shader */
     return true;
 }

@@ -28,7 +28,7 @@ static inline Interval hull(Interval a, Interval b)
     return (Interval){least(a.low, b.low), most(a.high, b.high)};
 }
 
-/* True for an interval of a single number. */
+/* Returns true for an interval of a single number. */
 static inline bool is_point(Interval a) { return a.low == a.high && isfinite(a.low); }
 
 static inline double product(double a, double b) { return a == 0 || b == 0 ? 0 : a * b; }

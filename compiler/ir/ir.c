@@ -20,7 +20,7 @@ const uint8_t op_payload[OP_COUNT] = {
 #include "grammar/ops.def"
 };
 
-/* large enough for most formulas and small documents */
+/* capacity that is large enough for most formulas and small documents */
 enum { FIRST_TABLE = 1024 };
 
 Ir *ir_new(Session *session, const Graph *graph)
@@ -74,7 +74,7 @@ static inline bool equal_numbers(const double *a, const double *b, int count)
 enum { NEAR_SLOTS = 8, NEAR_SPREAD = 15 };
 typedef struct {
     uint32_t at, hash;
-    uint32_t near; /* remaining near slots */
+    uint32_t near; /* number of remaining near slots */
 } Probe;
 
 static inline Probe probe_of(const Ir *ir, const IrNode *node, const Ref *args)

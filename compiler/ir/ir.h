@@ -24,24 +24,24 @@ typedef struct {
     const char *doc;
 } OpRow;
 extern const OpRow op_table[]; /* OP_COUNT rows, whose number only ir.c needs */
-const char *op_text(Op op);    /* name in the text of the IR */
+const char *op_text(Op op);    /* name of the operation in the text of the IR */
 
 /* Meaning of a node's `payload`, per operation. */
 typedef enum {
     /* No payload. Exception: a select with payload 1 is a guard, whose last operand is never
      * read: build_guard. */
     PAYLOAD_none,
-    PAYLOAD_numbers, /* index of its first number */
+    PAYLOAD_numbers, /* index of the constant's first number */
     PAYLOAD_input,   /* an Input of inputs.def */
     /* ATTRIBUTE_PARTS times the attribute's index in the graph, plus an AttributePart */
     PAYLOAD_attribute,
     PAYLOAD_uniform,    /* index of a uniform in the graph */
     PAYLOAD_member,     /* index of a constant of the IR */
-    PAYLOAD_argument,   /* argument set << 8 | index in the set */
+    PAYLOAD_argument,   /* argument of a function: argument set << 8 | index in the set */
     PAYLOAD_texture,    /* index of a texture of the IR */
     PAYLOAD_components, /* a swizzle, two bits per component */
     PAYLOAD_library,    /* a library Function */
-    PAYLOAD_function    /* index of a function of the program: ir_applies */
+    PAYLOAD_function    /* index of a program's function, which ir_applies() recognizes */
 } Payload;
 extern const uint8_t op_payload[]; /* the Payload kind of each operation */
 
@@ -66,16 +66,16 @@ enum {
     NODE_head = 1,
     /* opt_simplify found that no local rule changes the node while its users are unknown. */
     NODE_simple = 2,
-    NODE_final = 4,  /* no rule changes it, whatever its users */
-    NODE_decided = 8 /* opt_range found that no interval decides it */
+    NODE_final = 4,  /* no rule changes the node, whatever its users */
+    NODE_decided = 8 /* opt_range found that no interval decides the node */
 };
 
 typedef struct {
-    uint8_t op, type, count; /* Op, Type, operands */
-    uint8_t flags;           /* NODE_ flags */
-    uint32_t origin;         /* map or slot that created it; for names and comments only */
-    uint32_t first;          /* index of its first operand in args */
-    uint32_t payload;        /* meaning: op_payload */
+    uint8_t op, type, count; /* an Op, a Type, and the number of operands */
+    uint8_t flags;           /* set of NODE_ flags */
+    uint32_t origin;         /* map or slot that created the node; for names and comments only */
+    uint32_t first;          /* index of the node's first operand in args */
+    uint32_t payload;        /* number whose meaning op_payload[op] gives */
     uint32_t hash;
 } IrNode;
 
@@ -83,9 +83,9 @@ typedef struct {
  * times. */
 typedef struct {
     Ref result;
-    Ref *arguments; /* OP_argument nodes, in order */
+    Ref *arguments; /* OP_argument nodes of the function, in order */
     int count;
-    uint32_t origin; /* map or slot that created it */
+    uint32_t origin; /* map or slot that created the function */
     /* The previous function with this result, counted from 1; 0: none. Used by ir_function only. */
     int next;
 } IrFunction;
@@ -119,19 +119,19 @@ typedef struct {
  * number share the program. constants.c */
 typedef struct {
     Type type;
-    double numbers[4]; /* values in this material */
-    uint32_t origin;   /* see IrNode.origin */
+    double numbers[4]; /* values of the constant in this material */
+    uint32_t origin;   /* map or slot that created the number, as IrNode.origin */
     /* The number's place in the document; NULL for hoisted expressions and literals. */
     const Value *source;
     const char *name; /* name in the shader; constants_finish sets name and offset */
-    int member;       /* member of MatcOptions, or -1 */
+    int member;       /* index of the member in MatcOptions; -1: not a member */
     int offset;       /* offset in the std140 block in bytes */
 } IrConstant;
 
 /* Transparency, as far as lowering can decide it. */
 typedef enum { OPACITY_unknown, OPACITY_opaque, OPACITY_transparent, OPACITY_varying } Opacity;
 
-enum { MAX_OUTPUTS = 32 }; /* render targets, or all slots, plus discard and depth */
+enum { MAX_OUTPUTS = 32 }; /* max outputs: render targets, or all slots, plus discard and depth */
 _Static_assert((int)MAX_OUTPUTS >= (int)SLOT_COUNT, "a value of every slot");
 
 /* Returns the node that replaces a new node, or the node itself. */
@@ -140,8 +140,8 @@ typedef Ref Simplify(struct Ir *ir, Ref ref);
 typedef struct Ir {
     Session *session;
     Arena *arena;
-    Arena scratch; /* memory of the current sweep, which resets it; freed by ir_done */
-    Arena kept;    /* analyses cached across sweeps; freed by ir_done */
+    Arena scratch; /* memory of the current sweep, which resets the arena; freed by ir_done */
+    Arena kept;    /* memory of analyses cached across sweeps; freed by ir_done */
     /* Intervals found so far, valid while nodes keep their numbers; NULL: none. Used by
      * opt_range only. */
     struct Ranges *ranges;
@@ -176,17 +176,17 @@ typedef struct Ir {
     const Node *displaced; /* the material that displaces the surface; NULL: none */
     /* When all slots are outputs: the slots that a layout has to store, 1 << slot. */
     unsigned slots;
-    bool keep_pow;        /* powers stay calls of pow */
+    bool keep_pow;        /* powers with integer exponents stay calls of pow */
     ReferenceNoise noise; /* noise variant that constant folding uses */
-    Ref *held;            /* operand stack of nested builder calls: REFS of build.h */
+    Ref *held;            /* stack of the operands of nested builder calls: REFS of build.h */
     size_t held_count, held_capacity;
     /* per Ref: the last function with that result, from 1; used by ir_function only */
     int *function_of;
     size_t function_of_capacity;
-    const Node **maps; /* maps that created nodes; origin.c */
+    const Node **maps; /* maps that created nodes, indexed by origin; origin.c */
     size_t map_count, map_capacity;
     HashIndex map_index;
-    uint32_t origin; /* origin given to new nodes */
+    uint32_t origin; /* origin that new nodes get */
     /* Simplifies each new node; NULL leaves nodes unchanged. */
     Simplify *simplify;
 } Ir;
@@ -227,19 +227,20 @@ static inline void ir_set_head(Ir *ir, Ref ref, bool head)
 {
     ir->nodes[ref].flags = (uint8_t)((ir->nodes[ref].flags & ~NODE_head) | (head ? NODE_head : 0));
 }
-/* True for a node that runs a function of the program; the payload is the function's index. */
+/* Returns true for a node that runs a function of the program; the payload is the function's
+ * index. */
 static inline bool ir_applies(const Ir *ir, Ref ref)
 {
     return op_payload[ir->nodes[ref].op] == PAYLOAD_function;
 }
-/* True for a node that takes screen-space derivatives, which need uniform control flow: the node
- * must not be in a branch. */
+/* Returns true for a node that takes screen-space derivatives, which need uniform control flow:
+ * the node must not be in a branch. */
 static inline bool ir_needs_neighbours(const Ir *ir, Ref ref)
 {
     return ir_is(ir, ref, OP_call) && (ir_at(ir, ref)->payload == FN_imageSampled ||
                                        ir_at(ir, ref)->payload == FN_imageCentred);
 }
-/* True for a constant whose components all equal `value`. */
+/* Returns true for a constant whose components all equal `value`. */
 bool ir_is_number(const Ir *ir, Ref ref, double value);
 
 /* Creates a node, finds an equal existing node, or returns the node to which it simplifies. The
@@ -258,9 +259,9 @@ int ir_function(Ir *ir, const Ref *arguments, int count, Ref result);
 void ir_output(Ir *ir, OutputKind kind, int index, Ref value);
 /* Returns the output of a kind that occurs at most once; NULL: absent. */
 const IrOutput *ir_output_of(const Ir *ir, OutputKind kind);
-/* True for outputs of the fragment program; other outputs belong to the vertex stages. */
+/* Returns true for outputs of the fragment program; other outputs belong to the vertex stages. */
 bool ir_is_of_fragments(const IrOutput *output);
-enum { KERNEL_POINTS = 27 }; /* points that a kernel sums */
+enum { KERNEL_POINTS = 27 }; /* number of points that a kernel sums */
 
 /* Marks the hash table as stale after nodes have moved or changed. The table is rebuilt when the
  * next node is created, which may never happen. */

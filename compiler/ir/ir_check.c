@@ -131,7 +131,7 @@ static const char *check_swizzle(const Ir *ir, Ref ref)
     return NULL;
 }
 
-/* The CHECK lines of ops.def. */
+/* Applies the CHECK lines of ops.def. */
 static const char *check_special(const Ir *ir, Ref ref)
 {
     switch (ir_at(ir, ref)->op) {

@@ -7,12 +7,12 @@ typedef struct {
     const Ir *ir;
     const ReferenceContext *context;
     const double (*inputs)[4];
-    const IrRounding *rounding; /* NULL: no rounding */
+    const IrRounding *rounding; /* rounding of results; NULL: none */
     Arena scratch;
 } Evaluator;
 
 typedef struct {
-    double (*value)[4]; /* per Ref; valid where known */
+    double (*value)[4]; /* per Ref: the node's value; valid where `known` is set */
     uint8_t *known;
     const IrFunction *function; /* the function being evaluated */
     const FoldArg *arguments;   /* values of its arguments */

@@ -28,7 +28,7 @@ IrReach ir_reach_new(const Ir *ir, Arena *arena)
     return (IrReach){.arena = arena, .inside = ARENA_ARRAY(arena, uint8_t, ir->count)};
 }
 
-/* Breadth-first search; the list is its own queue. */
+/* Searches breadth-first; the list of found nodes is also the queue. */
 void ir_reach(const Ir *ir, const Ref *roots, int count, IrReach *r)
 {
     Ref last = 0, first = UINT32_MAX;

@@ -6,7 +6,7 @@
 typedef struct {
     Ir *ir;
     const char *at;
-    Ref *named; /* node by the number in the text */
+    Ref *named; /* nodes indexed by their number in the text */
     size_t named_capacity;
     const char *fault;
 } Scanner;
@@ -254,7 +254,8 @@ static bool read_line(Scanner *s)
 
 Ir *ir_read(Session *session, const char *text, const Graph *graph, const char **fault)
 {
-    size_t size = strlen(text) + 1; /* a node takes more than a byte */
+    /* upper bound of the number of nodes: each takes more than a byte */
+    size_t size = strlen(text) + 1;
     Scanner s = {.ir = ir_new(session, graph),
                  .at = text,
                  .named_capacity = size < LARGEST_NUMBER ? size : LARGEST_NUMBER};

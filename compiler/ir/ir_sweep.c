@@ -61,7 +61,7 @@ static void move_functions(Ir *ir, Moves *moves, Ref old, Ref result)
     }
 }
 
-/* The replacement of a map's head node becomes the head. */
+/* Moves the flag NODE_head to the replacement of a map's head node. */
 static void pass_head(Ir *ir, Ref old, Ref better)
 {
     if (ir_is_head(ir, old) && ir->nodes[better].origin == ir->nodes[old].origin)

@@ -16,8 +16,9 @@ typedef struct {
     bool from_buffer; /* numbers of the document are read from a uniform block */
     unsigned cases;   /* layout cases that are read back, 1 << case; 0: all */
     bool moved;       /* vertices are already displaced */
-    bool computed;    /* also emits a compute program, with normals of the displaced surface */
-    bool origin;      /* positions are relative to INPUT_origin */
+    /* also emits a compute program that computes normals of the displaced surface */
+    bool computed;
+    bool origin; /* positions are relative to INPUT_origin */
     /* An object's matrices and its material's constants are indexed by an attribute
      * (instancing). */
     bool instances;

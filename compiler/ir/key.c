@@ -18,7 +18,7 @@ typedef struct {
     size_t number_count, number_capacity;
     NumberPlace *places;
     size_t place_count, place_capacity;
-    uint32_t *number; /* by Ref, from 1 in post-order; 0: not visited */
+    uint32_t *number; /* per Ref: its number in post-order, from 1; 0: not visited */
     Ref *stack;
     size_t depth, stack_capacity;
     uint32_t met;
@@ -55,7 +55,8 @@ static void put_fixed(Walk *w, double number)
 /* Appends an operand: its number in the walk, or a constant. */
 static void put_value(Walk *w, Ref value, bool placed)
 {
-    const uint32_t constant = 0x80000000u; /* distinct from all numbers of the walk */
+    /* flag that distinguishes constants from all numbers of the walk */
+    const uint32_t constant = 0x80000000u;
     const Ir *ir = w->ir;
     Type type = ir_type(ir, value);
     if (!ir_is(ir, value, OP_const)) {

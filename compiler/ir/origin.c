@@ -61,8 +61,8 @@ static const char *name_of(Arena *arena, const Node *map)
     return is_usable(named) ? named : join_words(arena, NULL, kind, "map");
 }
 
-/* True if a name can be used in a comment: printable ASCII, without the backslash, which would
- * join lines. */
+/* Returns true if a name can be used in a comment: printable ASCII, without the backslash, which
+ * would join lines. */
 static bool is_plain(const char *word)
 {
     size_t size = strlen(word);

@@ -18,8 +18,8 @@ typedef struct {
 typedef struct Guards {
     Guard at[MAX_GUARDS];
     int count;
-    uint32_t set; /* id of this set of guards; every set ever active has its own id */
-    int steps;    /* remaining reexaminations */
+    uint32_t set; /* id of the current set of guards; every set ever active has its own id */
+    int steps;    /* remaining number of reexaminations */
     int depth;    /* recursion depth of reexamined nodes */
 } Guards;
 
@@ -41,7 +41,7 @@ struct Seen *range_seen_new(Arena *arena)
     Seen *seen = arena_alloc(arena, sizeof *seen);
     seen->sets = 0;
     for (int i = 0; i < SEEN_SLOTS; i++)
-        seen->slots[i].set = 0; /* no set: the slot is empty */
+        seen->slots[i].set = 0; /* the slot becomes empty: its set is 0 */
     return seen;
 }
 
@@ -58,7 +58,8 @@ static SeenComponent *seen_slot(const Ranges *r, Ref ref, int component)
     return &r->seen->slots[(ref * 4 + (Ref)component) % SEEN_SLOTS];
 }
 
-/* Number of intervals of a node: one per component; a sampler, without components, has one. */
+/* Returns the number of intervals of a node: one per component; a sampler, without components,
+ * has one. */
 static int components_of(const Ir *ir, Ref ref)
 {
     return ir_components(ir, ref) ? ir_components(ir, ref) : 1;
@@ -132,7 +133,7 @@ static void find_arm(Ranges *r, const Ir *ir, Ref arm, Guard side, Interval foun
     const Interval none = {INFINITY, -INFINITY};
     const int components = components_of(ir, arm);
     side.within = both(range_of(r, ir, side.ref, 0), side.within);
-    if (is_empty(side.within)) { /* the arm is never taken */
+    if (is_empty(side.within)) { /* the select never takes this arm */
         for (int component = 0; component < components; component++)
             found[component] = none;
         return;
@@ -186,7 +187,7 @@ void range_select(const Ranges *r, const Ir *ir, Ref ref, int components, Interv
 
 /* -- Operations */
 
-/* Interval of all components of an operand. */
+/* Returns the interval of all components of an operand. */
 static Interval whole(const Ranges *r, const Ir *ir, Ref ref)
 {
     Interval all = range_of(r, ir, ref, 0);
@@ -195,7 +196,7 @@ static Interval whole(const Ranges *r, const Ir *ir, Ref ref)
     return all;
 }
 
-/* Interval of a function by its table row, for any arguments. */
+/* Returns the interval of a function by its table row, for any arguments. */
 static Interval table_range(int function)
 {
     switch (function) {
@@ -241,7 +242,7 @@ static Interval exponent_range(Interval a)
     return (Interval){low * (1 - SLACK), fmin(high * (1 + SLACK), all.high)};
 }
 
-/* True for a call that reads an image of floats, whose values are unbounded. */
+/* Returns true for a call that reads an image of floats, whose values are unbounded. */
 static bool reads_floats(const Ir *ir, Ref call)
 {
     const Ref sampler = ir_arg(ir, call, 0);
@@ -271,8 +272,8 @@ static Interval call_range(const Ranges *r, const Ir *ir, Ref ref, int component
     }
 }
 
-/* Interval of a dot product: the sum over the components. With one interval for all components
- * the same term is added once per component. */
+/* Returns the interval of a dot product: the sum over the components. With one interval for all
+ * components the same term is added once per component. */
 static Interval dot_range(const Ranges *r, const Ir *ir, Ref ref, int component)
 {
     const Ref a = ir_arg(ir, ref, 0), b = ir_arg(ir, ref, 1);
@@ -285,7 +286,8 @@ static Interval dot_range(const Ranges *r, const Ir *ir, Ref ref, int component)
     return all;
 }
 
-/* Interval of a cross product's component: a_j b_k - a_k b_j with the other two components. */
+/* Returns the interval of a cross product's component: a_j b_k - a_k b_j with the other two
+ * components. */
 static Interval cross_range(const Ranges *r, const Ir *ir, Ref ref, int component)
 {
     const Ref a = ir_arg(ir, ref, 0), b = ir_arg(ir, ref, 1);
@@ -304,7 +306,7 @@ static Interval length_range(const Ranges *r, const Ir *ir, Ref ref, int compone
     return loose((Interval){0, sqrt(squares)});
 }
 
-/* Interval of one component of a matrix times a vector, given by columns. */
+/* Returns the interval of one component of a matrix times a vector, given by columns. */
 static Interval linear_range(const Ranges *r, const Ir *ir, Ref ref, int component)
 {
     Interval all = {0, 0};
@@ -314,8 +316,8 @@ static Interval linear_range(const Ranges *r, const Ir *ir, Ref ref, int compone
     return all;
 }
 
-/* Interval of a vector's component: that of its part; the union of all parts if a single
- * interval is stored. */
+/* Returns the interval of a vector's component: that of its part; the union of all parts if a
+ * single interval is stored. */
 static Interval vec_range(const Ranges *r, const Ir *ir, Ref ref, int component)
 {
     Interval all = range_of(r, ir, ir_arg(ir, ref, 0), 0);
@@ -357,7 +359,7 @@ static Interval kernel_range(const Ranges *r, const Ir *ir, Ref ref, int compone
     return times(apply_range(r, ir, ref, component), between(KERNEL_POINTS, KERNEL_POINTS));
 }
 
-/* Interval of an operand; unbounded if the operand is missing. */
+/* Returns the interval of an operand; unbounded if the operand is missing. */
 static inline Interval operand_range(const Ranges *r, const Ir *ir, const IrNode *node, int i,
                                      int component)
 {
@@ -365,7 +367,7 @@ static inline Interval operand_range(const Ranges *r, const Ir *ir, const IrNode
                            : everything;
 }
 
-/* Interval of an operation that works per component, by the RANGE lines of ops.def. */
+/* Returns the interval of an operation that works per component, by the RANGE lines of ops.def. */
 static Interval component_range(const Ranges *r, const Ir *ir, Ref ref, int component)
 {
     const IrNode *node = ir_at(ir, ref);

@@ -32,7 +32,8 @@ static uint64_t *mark_compared(const Ir *ir, Arena *arena, Ref count, const uint
     return marks;
 }
 
-/* Number of stored intervals; a sampler, without components, gets one unbounded interval. */
+/* Returns the number of stored intervals; a sampler, without components, gets one unbounded
+ * interval. */
 static int kept_components(const Ranges *r, const Ir *ir, Ref ref)
 {
     const int components = ir_components(ir, ref);

@@ -27,7 +27,7 @@ typedef struct {
 
 /* State of partitioning the sets into a given number of cases of a given number of words. */
 typedef struct {
-    const FieldRow *fields; /* fields by decreasing size */
+    const FieldRow *fields; /* fields, sorted by decreasing size */
     int field_count;
     /* Sets of which none contains another, by decreasing number of bits. */
     unsigned sets[MATC_SETS + 1];

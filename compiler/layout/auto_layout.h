@@ -15,19 +15,19 @@ const LayoutRow *auto_layout(Arena *arena, const MatcRanges *ranges, double erro
 
 /* How a layout treats a slot. */
 typedef enum {
-    FATE_field,    /* stored in a field */
-    FATE_fixed,    /* constant, equal in all materials */
-    FATE_absent,   /* absent in all materials */
-    FATE_unneeded, /* without effect in any material */
-    FATE_taken,    /* contained in another slot */
+    FATE_field,    /* the slot is stored in a field */
+    FATE_fixed,    /* the slot is constant and equal in all materials */
+    FATE_absent,   /* the slot is absent in all materials */
+    FATE_unneeded, /* the slot has no effect in any material */
+    FATE_taken,    /* another slot contains the slot */
 } Fate;
 
 typedef struct {
     Slot slot;
     Fate fate;
-    double low, high; /* range over all components */
+    double low, high; /* range of the values of all components */
     ErrorClass kind;
-    double error; /* max error in the unit of the class; for a field its actual error */
+    double error; /* max error in the unit of the error class; for a field its actual error */
     FieldRow field;
 } Plan;
 
@@ -35,7 +35,8 @@ typedef struct {
 enum { MAX_AUTO_CASES = 8 };
 typedef struct {
     int count;
-    unsigned slots[MAX_AUTO_CASES]; /* 1 << slot; fewest slots first */
+    /* sets of slots of the cases, as bits 1 << slot; smallest set first */
+    unsigned slots[MAX_AUTO_CASES];
     /* number of materials per case; all of MatcRanges.others count together */
     int materials[MAX_AUTO_CASES];
     int words;        /* words per pixel */

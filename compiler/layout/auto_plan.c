@@ -20,7 +20,7 @@ static double class_error(const Plan *plan, const FieldRow *field)
     const double step = field_error(field);
     switch (class_table[plan->kind].unit) {
     case CLASS_UNIT_display:
-        /* steps of the square root are uniform: half of one */
+        /* a square root's codes have uniform steps: half a step */
         if (field->encoding == ENCODING_root)
             return sqrt(field_high(field)) * .5 / (ldexp(1, field->bits) - 1);
         return displayed(fmax(plan->low, 0) + step) - displayed(plan->low);
@@ -107,7 +107,7 @@ static FieldRow best_field(const Wish *wish)
     return best;
 }
 
-/* True if each component is the same number in all materials. */
+/* Returns true if each component is the same number in all materials. */
 static bool is_constant(const MatcSlotRange *range, int components)
 {
     for (int component = 0; component < components; component++)

@@ -40,8 +40,8 @@ void matc_ranges_join(MatcRanges *ranges, const MatcRanges *other)
     auto_sets_join(ranges, other);
 }
 
-/* True if a node's components are equal by construction, given the same for its operands: the
- * SAME lines of ops.def. */
+/* Returns true if a node's components are equal by construction, given the same for its
+ * operands: the SAME lines of ops.def. */
 static bool same_numbers(const Ir *ir, Ref ref, const uint8_t *same)
 {
     const double *numbers = ir_numbers(ir, ref);
@@ -115,7 +115,7 @@ static void read_slot(const Ir *ir, const Ranges *ranges, const uint8_t *same,
         ir_is(ir, value, OP_input) && input_table[ir_at(ir, value)->payload].source == SOURCE_draw;
     range->drawn = draws;
     if (slot_class_table[output->index].kind == CLASS_none || draws)
-        return; /* contained in another slot, or set by the draw call */
+        return; /* the slot is contained in another slot, or set by the draw call */
     range->counted = 1;
     range->absent = ir_is_number(ir, value, row->absent);
     range->alike = same[value];
@@ -129,7 +129,7 @@ static void read_slot(const Ir *ir, const Ranges *ranges, const uint8_t *same,
     }
 }
 
-/* True if the slot can be greater than 0. */
+/* Returns true if the slot can be greater than 0. */
 static bool is_there(const MatcSlotRange *range)
 {
     for (int component = 0; component < FIELD_COMPONENTS; component++)

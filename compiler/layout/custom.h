@@ -8,7 +8,7 @@ struct MatcLayout {
     Arena arena;
     MatcOptions options;
     Session session;
-    const LayoutRow *row; /* NULL: the text has faults */
+    const LayoutRow *row; /* row of the layout; NULL: the text has faults */
     const char *text, *report;
 };
 #endif

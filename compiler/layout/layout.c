@@ -182,7 +182,7 @@ bool piece_takes_bits(const Piece *piece)
     return strchr(arguments, 'i') != NULL;
 }
 
-/* True if the adjacent components are free. */
+/* Returns true if the adjacent components are free. */
 static bool fits_components(const Capacity *capacity, const FormatRow *format, const Piece *piece)
 {
     for (int i = 0; i < piece->size; i++)
@@ -241,7 +241,7 @@ const FieldRow *layout_allocate(const LayoutRow *row, int number, Placement *pla
     capacity.marked = further || (row->further_count && number == 0);
     placement->count = 0;
     if ((layout_case_bits(row) || row->further_count) && !format_table[row->formats[0]].words)
-        return &fields->fields[0]; /* no word can hold the case number */
+        return &fields->fields[0]; /* no word has enough free bits for the case number */
     for (int i = 0; i < fields->field_count; i++) {
         const FieldRow *field = &fields->fields[i];
         int takes = encoding_table[field->encoding].takes ? encoding_table[field->encoding].takes

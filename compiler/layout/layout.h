@@ -9,7 +9,7 @@ enum { MAX_PIECES = 128 };
 
 typedef struct {
     const FieldRow *field;
-    int first, count;      /* range of components among the field's sources */
+    int first, count;      /* range of components in the field's sources */
     int target, component; /* render target, and component of the target */
     int size;              /* number of components; in a word target number of bits */
     int shift;
@@ -40,30 +40,30 @@ double layout_case_code(const LayoutRow *row, int number, int target, int compon
 /* Decodes the case from the first target's first word and the last target's last word. */
 int layout_case_of(const LayoutRow *row, uint32_t first, uint32_t last);
 int layout_targets(const LayoutRow *row);
-int layout_bytes(const LayoutRow *row); /* bytes per pixel */
-/* True if a target holds unsigned words, for which GLSL 1.10 has no type. */
+int layout_bytes(const LayoutRow *row); /* Returns the bytes per pixel. */
+/* Returns true if a target holds unsigned words, for which GLSL 1.10 has no type. */
 bool layout_has_words(const LayoutRow *row);
 /* Returns the constant value of a slot in all materials of a case; NULL: the slot is stored, or
  * absent. */
 const FixedRow *layout_case_fixed(const CaseRow *row, Slot slot);
 /* Returns a bit for each slot that unpacking yields: stored by some case, or constant. */
 unsigned layout_slots(const LayoutRow *row);
-/* True if unpacking the layout yields the slot. */
+/* Returns true if unpacking the layout yields the slot. */
 bool layout_has_slot(const LayoutRow *row, Slot slot);
-/* True if the case stores at least one component of the slot; layout_case_slots() returns a bit
- * for each such slot. */
+/* Returns true if the case stores at least one component of the slot; layout_case_slots()
+ * returns a bit for each such slot. */
 bool layout_case_has_slot(const CaseRow *row, Slot slot);
 unsigned layout_case_slots(const CaseRow *row);
 /* Returns the slots of layout_slots() that are constant for all materials. */
 unsigned layout_fixed_slots(const LayoutRow *row);
-/* True if some case stores every slot of the layout that is not constant, so that every material
- * has a case. If no case does, slots without effect may be omitted. */
+/* Returns true if some case stores every slot of the layout that is not constant, so that every
+ * material has a case. If no case does, slots without effect may be omitted. */
 bool layout_is_whole(const LayoutRow *row);
 /* Returns the constant value of a slot in all materials; NULL: the slot is stored, or absent. */
 const FixedRow *layout_fixed(const LayoutRow *row, Slot slot);
-/* True if the piece holds all components of one slot in order. */
+/* Returns true if the piece holds all components of one slot in order. */
 bool piece_is_slot(const Piece *piece);
-/* True if the encoding's functions take the number of bits as an argument. */
+/* Returns true if the encoding's functions take the number of bits as an argument. */
 bool piece_takes_bits(const Piece *piece);
 /* Writes an encoding, "unorm 8", or a range, "0 to 1". */
 void layout_put_encoding(Text *out, const FieldRow *field);

@@ -58,7 +58,8 @@ static void check_meaning(Checker *k, const FieldRow *field, Span span)
  * missing. */
 static void check_components(Checker *k, const CaseRow *row, Tree *const *trees)
 {
-    int last[SLOT_COUNT][FIELD_COMPONENTS] = {{0}}; /* number of the field that stores it, from 1 */
+    /* per component of a slot: number of the field that stores it, from 1 */
+    int last[SLOT_COUNT][FIELD_COMPONENTS] = {{0}};
     for (int i = 0; i < row->field_count; i++)
         for (int component = 0; component < row->fields[i].count; component++) {
             const SlotComponent at = row->fields[i].source[component];

@@ -8,7 +8,7 @@
 typedef struct {
     Session *session;
     LayoutRow *row;
-    Tree *const **trees; /* per case: the trees of its fields */
+    Tree *const **trees; /* per case: the YAML trees of the fields */
     bool fine;
 } Reader;
 
@@ -199,7 +199,7 @@ static void read_range(Reader *r, const Tree *object, FieldRow *field)
         wrong_type(r, tree, "range", "two numbers");
         return;
     }
-    const double least = 1e-6, most = 3.4e38; /* precision and range of floats */
+    const double least = 1e-6, most = 3.4e38; /* limits of the precision and range of floats */
     bool reported = fabs(field->low) < most && fabs(field->high) < most &&
                     field->high - field->low > least * fmax(fabs(field->low), fabs(field->high));
     if (!reported || !encoding_takes_range(field->encoding)) {

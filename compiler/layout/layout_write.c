@@ -1,4 +1,4 @@
-/* LayoutRow -> YAML. */
+/* Writes a LayoutRow as YAML. */
 #include "compiler/base/json_write.h"
 #include "compiler/layout/layout_read.h"
 

@@ -15,7 +15,7 @@ typedef struct {
     int lines; /* grid lines per axis at this level; every second line is from the previous level */
     double reach;
     uint64_t state;
-    float *texels; /* NaN if not yet computed */
+    float *texels; /* heights of the texels; NaN if not yet computed */
 } DisplacementFound;
 
 static float *texel(DisplacementFound *r, int column, int row)

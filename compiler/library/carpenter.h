@@ -8,7 +8,7 @@
 typedef struct {
     double color, noise, roughness;
     int64_t seed;
-    int width, height; /* texels, each from 1 to 2048 */
+    int width, height; /* size in texels, each from 1 to 2048 */
 } CarpenterRelief;
 
 /* Fills width x height texels, row 0 at the bottom. All are finite. */

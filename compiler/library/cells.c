@@ -5,7 +5,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 
-enum { PRIME = 761, PRIME_STEP = 17, PERIOD = 65536 }; /* float hash */
+enum { PRIME = 761, PRIME_STEP = 17, PERIOD = 65536 }; /* constants of the float hash */
 static const double TURN = 33554432;                   /* integer hash: period of 2^25 cells */
 
 static bool of_floats(ReferenceNoise noise)
@@ -21,7 +21,7 @@ static uint32_t mixed(uint32_t h)
     return h ^ (h >> 16);
 }
 
-/* Cell coordinate modulo the period; 0 for infinity and NaN. */
+/* Returns the cell coordinate modulo the period; 0 for infinity and NaN. */
 static uint32_t keyword_of(double cell)
 {
     const double near = cell - TURN * floor(cell / TURN);
@@ -30,7 +30,7 @@ static uint32_t keyword_of(double cell)
 
 static uint32_t cube(uint32_t x) { return x * x % PRIME * x % PRIME; }
 
-/* Hash of a coordinate in [0, 761); blocks of 761 cells differ. */
+/* Returns the hash of a coordinate in [0, 761); blocks of 761 cells differ. */
 static uint32_t residue_of(double cell)
 {
     const double near = cell - PERIOD * floor(cell / PERIOD);

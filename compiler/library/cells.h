@@ -24,15 +24,15 @@ typedef enum { CELLS_EUCLIDEAN, CELLS_MANHATTAN, CELLS_CHEBYSHEV } CellsDistance
 enum { CELLS_FIRST, CELLS_SECOND, CELLS_BETWEEN };
 
 typedef struct {
-    double distance, away[3]; /* vector from p to the point */
+    double distance, away[3]; /* distance, and the vector from p to the point */
     double number;            /* random number of the cell, in [0, 1) */
-    int cell[3];              /* offset from the cell of p */
+    int cell[3];              /* offset of the cell from the cell of p */
 } CellsPoint;
 typedef struct {
     CellsPoint first, second;
 } CellsPair;
 typedef struct {
-    int dimensions; /* 2 or 3 */
+    int dimensions; /* number of dimensions, 2 or 3 */
     double p[3], jitter;
     CellsDistance how;
 } CellsQuestion;

@@ -215,7 +215,7 @@ REFERENCE(imageFiltered)
     footprint_mean(texture_of(context, args[0]), &args[1], &args[5], result);
 }
 
-/* Length, in texels, of a change of uv. */
+/* Returns the length, in texels, of a change of uv. */
 static double texels_across(const ReferenceTexture *texture, const double *change)
 {
     return hypot(texture->width * change[0], texture->height * change[1]);

@@ -6,13 +6,13 @@
 #include <string.h>
 
 enum {
-    PERIOD = 65536,     /* per axis, for every noise */
+    PERIOD = 65536,     /* period of every noise along each axis, in cells */
     OUTPUTS = 3,        /* components of vector noise */
-    NUMBERS = 4,        /* per corner and output: value, gradient */
+    NUMBERS = 4,        /* numbers per corner and output: value and gradient */
     RANDOM_COUNT = 512, /* size of GroIMP's table */
     RANDOM_STEP = 8,    /* table offset between outputs */
     PRIME = 761,        /* modulus of the float hash */
-    PRIME_STEP = 17     /* added to a float hash before it is permuted again */
+    PRIME_STEP = 17     /* constant added to a float hash before the hash is permuted again */
 };
 #define GROIMP_SEED   123456789
 #define SIMPLEX_SCALE 71.0
@@ -64,7 +64,7 @@ static uint32_t mix_bits(uint32_t h)
     return h ^ (h >> 16);
 }
 
-/* The hash as a signed number, divided by 2^31. */
+/* Returns the hash as a signed number, divided by 2^31. */
 static double signed_bits(uint32_t h)
 {
     return (h < 0x80000000u ? (double)h : (double)h - 4294967296.0) / 2147483648.0;

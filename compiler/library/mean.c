@@ -116,7 +116,7 @@ REFERENCE(sincMean)
     result[0] = fabs(h) < 1e-9 ? 1 : sin(h) / h;
 }
 
-/* Mean of a wave with a jump: a narrow box returns the point value, as in GLSL. */
+/* Returns the mean of a wave with a jump: a narrow box returns the point value, as in GLSL. */
 static double jump_mean(const Periodic *p, double v, double edge)
 {
     return edge <= POINT ? p->wave(fraction(v)) : box_mean(p, v, edge);
@@ -139,8 +139,8 @@ REFERENCE(scallopMean)
     (void)context, result[0] = box_mean(&(Periodic){scallop, scallop_integral}, args[0], args[1]);
 }
 
-/* Derivative of a box mean: the wave's difference between the box's ends over the edge. A box
- * narrower than `point` returns the wave's slope. */
+/* Returns the derivative of a box mean: the wave's difference between the box's ends over the
+ * edge. A box narrower than `point` returns the wave's slope. */
 static double end_rate(Wave *wave, Wave *slope, const double *args, double point)
 {
     double t = fraction(args[0]), edge = args[1];

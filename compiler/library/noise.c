@@ -30,7 +30,8 @@ static Statistics statistics(const void *context)
     }
 }
 
-/* Noise at (p + rest) times `scale`, and its gradient, which is 0 where the noise is clamped. */
+/* Returns noise at (p + rest) times `scale`, and its gradient, which is 0 where the noise is
+ * clamped. */
 static double noise_at(const void *context, const double p[3], const double rest[3], double scale,
                        double gradient[3])
 {
@@ -146,7 +147,7 @@ REFERENCE(turbulenceVariance)
 static void vector_turbulence(const void *context, const Octaves *o, const double direction[3],
                               double value[3], double along[3])
 {
-    const double mean = statistics(context).mean / 2; /* per component */
+    const double mean = statistics(context).mean / 2; /* mean of each component */
     for (int i = 0; i < 3; i++)
         value[i] = along[i] = 0;
     for (int k = 0; k < o->octaves; k++) {

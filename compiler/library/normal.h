@@ -4,14 +4,14 @@
 #ifndef MATC_LIB_NORMAL_H
 #define MATC_LIB_NORMAL_H
 
-/* Levels of an octahedral code of b bits. */
+/* Returns the levels of an octahedral code of b bits. */
 static inline int octahedral_levels(int bits) { return (1 << bits) - 1; }
 
 /* The octahedral map to [-1, 1]^2 and its inverse; (0, 0, 0) maps like +z. */
 void normal_octahedral_map(const double n[3], double e[2]);
 void normal_octahedral_unmap(const double e[2], double n[3]);
 void normal_octahedral_encode(const double n[3], int levels, int code[2]);
-/* The most accurate of the four adjacent codes ("precise"). */
+/* Returns the most accurate of the four adjacent codes ("precise"). */
 void normal_octahedral_encode_precise(const double n[3], int levels, int code[2]);
 void normal_octahedral_decode(const int code[2], int levels, double n[3]);
 
@@ -21,6 +21,6 @@ void normal_spheremap_unmap(const double e[2], double n[3]);
 void normal_spheremap_encode(const double n[3], int levels, int code[2]);
 void normal_spheremap_decode(const int code[2], int levels, double n[3]);
 
-/* Angle between two directions in degrees, accurate for small angles. */
+/* Returns the angle between two directions in degrees, accurate for small angles. */
 double normal_angle(const double a[3], const double b[3]);
 #endif

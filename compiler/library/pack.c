@@ -100,7 +100,7 @@ REFERENCE(halfBits)
     result[0] = pack_half_bits(args[0]);
 }
 
-/* The bit pattern of the float nearest to the argument. */
+/* Returns the bit pattern of the float nearest to the argument. */
 REFERENCE(floatBits)
 {
     (void)context;

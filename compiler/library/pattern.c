@@ -3,8 +3,8 @@
 
 static double sinc(double x) { return fabs(x) < 1e-9 ? 1 : sin(x) / x; }
 
-/* Mean of (sum of sin)^2 = (sum of means)^2 + sum of variances, as the axes are independent over
- * a box. */
+/* Returns the mean of (sum of sin)^2 = (sum of means)^2 + sum of variances, as the axes are
+ * independent over a box. */
 static double leopard_mean(const double *args, double *sum)
 {
     double variance = 0;
@@ -24,7 +24,7 @@ REFERENCE(leopardFiltered)
     result[0] = leopard_mean(args, &sum);
 }
 
-/* By x: (2 sum mean' - 2 mean mean' + sin(2 x) sinc(edge)) / 9. */
+/* Derivative by x: (2 sum mean' - 2 mean mean' + sin(2 x) sinc(edge)) / 9. */
 REFERENCE(leopardFilteredGradient)
 {
     double sum;

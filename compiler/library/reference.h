@@ -26,13 +26,14 @@ typedef enum {
 /* A texture that references sample. Row 0 is the bottom row, v = 0. */
 typedef struct {
     int width, height;
-    int components; /* 1 or 4 */
+    int components; /* number of components, 1 or 4 */
     /* `components` bytes per texel; value = byte / 255; NULL if floats are set */
     const uint8_t *bytes;
     const float *floats;
-    const uint16_t *words; /* value = word / 65535; NULL if bytes or floats are set */
-    bool srgb;             /* the first three components are sRGB-encoded */
-    ReferenceWrap wrap;    /* texels outside the texture */
+    /* a word per component; value = word / 65535; NULL if bytes or floats are set */
+    const uint16_t *words;
+    bool srgb;          /* the first three components are sRGB-encoded */
+    ReferenceWrap wrap; /* treatment of texels outside the texture */
     bool
         /* The wrap is the sampler's, and texel fetches repeat; otherwise every function wraps. */
         sampler_wraps;
@@ -42,7 +43,7 @@ typedef struct {
 typedef enum {
     REFERENCE_LATTICE,       /* integer hash: glsl330 and up, essl300 */
     REFERENCE_LATTICE_FLOAT, /* float hash: glsl110 */
-    REFERENCE_GROIMP,        /* GroIMP's tables */
+    REFERENCE_GROIMP,        /* uses the tables of GroIMP */
     REFERENCE_SIMPLEX,       /* simplex lattice, integer hash */
     REFERENCE_SIMPLEX_FLOAT, /* simplex lattice, float hash */
     /* GroIMP's tables for glsl110; functions without a table use the float hash */
@@ -82,11 +83,11 @@ static inline double fraction(double v) { return v - floor(v); }
 #define REFERENCE_STEPS   65536
 #define WAVE_PHI          1.61803398874989484820
 
-/* Value-plus-gradient lattice noise: L_0 of semantics.md 3.1 with table offset 0 and its
- * gradient (slope may be NULL), and (L_0, L_8, L_16). */
+/* Returns the value-plus-gradient lattice noise: L_0 of semantics.md 3.1 with table offset 0 and
+ * its gradient (slope may be NULL), and (L_0, L_8, L_16). */
 double reference_lattice(ReferenceNoise noise, const double p[3], double slope[3]);
 void reference_lattice3(ReferenceNoise noise, const double p[3], double result[3]);
-/* The three outputs and the gradient of each output. */
+/* Computes the three outputs and the gradient of each output. */
 void reference_lattice_slope(ReferenceNoise noise, const double p[3], double result[3],
                              double slope[3][3]);
 /* GroIMP's tables: a permutation of 0..65535 and 512 numbers in [-1, 1). Built on first use;

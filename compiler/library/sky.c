@@ -21,7 +21,7 @@ enum {
     SUN, /* rows of the coefficients */
     SKY_ROWS,
     SLOPES = 32,   /* steps of the integral in cos(angle to the zenith) */
-    AZIMUTHS = 32, /* over half the circle; the other half is symmetric */
+    AZIMUTHS = 32, /* samples of azimuth over half the circle; the other half is symmetric */
     FIRST_NM = 380,
     LAST_NM = 750,
     STEP_NM = 10 /* samples of the sun's spectrum */
@@ -48,8 +48,8 @@ static const double solar[] = {
     278.2, 271.0, 272.3, 263.6, 255.0, 250.6, 253.1, 253.5, 251.3, 246.3, 241.7, 236.8, 232.1,
     228.2, 223.4, 219.7, 215.3, 211.0, 207.3, 202.4, 198.7, 194.3, 190.7, 186.3, 182.6,
 };
-#define SOLAR_UNIT 100. /* to W/(m2 nm sr) */
-/* Absorption coefficient of ozone, 1/cm. */
+#define SOLAR_UNIT 100. /* factor that converts the table's radiance to W/(m2 nm sr) */
+/* Table of the absorption coefficient of ozone in 1/cm. */
 static const double ozone[][2] = {
     {355, 0},    {445, .003}, {450, .003}, {455, .004}, {460, .006}, {465, .008}, {470, .009},
     {475, .012}, {480, .014}, {485, .017}, {490, .021}, {495, .025}, {500, .03},  {505, .035},
@@ -76,7 +76,7 @@ static double curve_at(Curve curve, double nm)
     return 0;
 }
 
-/* A Gaussian with different widths below and above its peak. */
+/* Returns a Gaussian with different widths below and above its peak. */
 static double lobe(double nm, double peak, double below, double above)
 {
     double t = (nm - peak) / (nm < peak ? below : above);
@@ -107,13 +107,13 @@ static void rgb_of_xyz(const double xyz[3], double rgb[3])
 
 static double mean(const double rgb[3]) { return (rgb[0] + rgb[1] + rgb[2]) / 3; }
 
-/* Transmittance of sunlight through air of relative optical mass m. */
+/* Returns the transmittance of sunlight through air of relative optical mass m. */
 static double transmittance(double nm, double m, double turbidity)
 {
-    const double ozone_depth = .35, water_depth = 2; /* cm */
+    const double ozone_depth = .35, water_depth = 2; /* thickness in cm */
     double um = nm / 1000, steam = curve_at(CURVE(water), nm) * water_depth * m;
-    double depth = m * .008735 * pow(um, -4.08)                        /* Rayleigh */
-                   + m * (.04608 * turbidity - .04586) * pow(um, -1.3) /* aerosol */
+    double depth = m * .008735 * pow(um, -4.08)                        /* Rayleigh scattering */
+                   + m * (.04608 * turbidity - .04586) * pow(um, -1.3) /* aerosol extinction */
                    + m * curve_at(CURVE(ozone), nm) * ozone_depth +
                    .2385 * steam / pow(1 + 20.07 * steam, .45);
     return exp(-depth);
@@ -190,8 +190,8 @@ static void radiance(double rows[SKY_ROWS][3], const double direction[3], double
     rgb_of_xyz(xyz, rgb);
 }
 
-/* Irradiance of the horizontal plane by the sky: midpoint rule over the half circle on one side
- * of the sun. */
+/* Returns the irradiance of the horizontal plane by the sky: midpoint rule over the half circle
+ * on one side of the sun. */
 static double sky_irradiance(double rows[SKY_ROWS][3])
 {
     double sum = 0, start = atan2(rows[SUN][1], rows[SUN][0]);

@@ -1,4 +1,4 @@
-/* Coefficients of skyRadiance. */
+/* Coefficients of the library function skyRadiance(). */
 #ifndef MATC_SKY_H
 #define MATC_SKY_H
 

@@ -13,7 +13,7 @@ REFERENCE(phongExponent)
         result[0] = 0;
     else if (y >= 1)
         result[0] = EXPONENT_LIMIT;
-    /* log1p, because y = 1 - w has lost the digits of a small w. */
+    /* uses log1p, because y = 1 - w has lost the digits of a small w */
     else
         result[0] = fmin(-2 / (w < .5 ? log1p(-w) : log(y)), EXPONENT_LIMIT);
 }

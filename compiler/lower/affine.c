@@ -138,7 +138,7 @@ static bool is_affine(const IrNode *node)
     }
 }
 
-/* Products that overflow a float are not followed. */
+/* Returns true if a form is finite. Products that overflow a float are not followed. */
 static bool is_finite(const Line *line)
 {
     double greatest = fabs(line->offset);
@@ -264,7 +264,8 @@ bool affine_coordinate(Lower *l, Ref coordinate, double scale, LongCoordinate *p
         parts->whole = build_swizzle(ir, parts->whole, components_of[components]);
         parts->fraction = build_swizzle(ir, parts->fraction, components_of[components]);
     }
-    for (int d = 0; d < DIRECTION_COUNT; d++) { /* the whole part changes as the coordinate does */
+    /* the derivatives of the whole part equal those of the coordinate */
+    for (int d = 0; d < DIRECTION_COUNT; d++) {
         Ref slope = slope_of(l, coordinate, (Direction)d);
         slope_set(l, parts->whole, (Direction)d,
                   slope && scale != 1 ? build_scale(ir, slope, scale) : slope);

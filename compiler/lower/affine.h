@@ -7,8 +7,8 @@ enum { AFFINE_COMPONENTS = 3 };
 
 /* The affine form of one component: offset + sum of factor[i] * component i of the root. */
 typedef struct {
-    Ref root;    /* 0: the form is a constant */
-    bool closed; /* component 4: no affine form can start from it */
+    Ref root;    /* value from which the form starts; 0: the form is a constant */
+    bool closed; /* component 4 of a vec4: no other affine form can start from the value */
     double factor[AFFINE_COMPONENTS], offset;
 } Line;
 

@@ -31,7 +31,7 @@ static Ref call_at(Lower *l, int function, Ref position, const Ref *args, int co
 typedef struct {
     Function filtered, variance;
     Type type;
-    double factor; /* applied to the variance */
+    double factor; /* factor of the variance */
 } Octaves;
 
 static Ref octaves_variance(Lower *l, const Octaves *o, const Ref *args, int count, Ref edge)

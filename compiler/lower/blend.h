@@ -48,7 +48,7 @@ Ref blend_variance(Lower *l, Ref t, Ref edge, const Stop *stops, int count);
 typedef struct Blended {
     Ref t;
     const Stop *stops;
-    const Stop *within; /* the same items; costly ones may be 0 where they do not show */
+    const Stop *within; /* the items again; costly items may be 0 where their weight is 0 */
     int count;
 } Blended;
 /* Records for slope.c that `value` is this sum. Returns false if the same value already is

@@ -35,7 +35,7 @@ enum {
     /* operations that are hidden behind a pixel's other work: 234 took no measurable time */
     FREE_COST = 200,
     MEAN_COST = 30,         /* estimated operations that a mean adds; a Checker's mean adds 32 */
-    LARGEST_GUESSED = 1000, /* estimated cost of a program above which no guess is made */
+    LARGEST_GUESSED = 1000, /* max estimated cost of a program for which a guess is made */
     MAX_SLOW = 2            /* max consecutive guesses that leave more than half of the range */
 };
 /* A mean whose price exceeds the remaining budget by this factor does not fit. */
@@ -48,10 +48,10 @@ typedef struct {
     Arena arena;
     Session session;
     Lower lower;
-    Ir *ir;       /* NULL: lowering failed, or the IR was dropped */
+    Ir *ir;       /* IR of the trial; NULL: lowering failed, or the IR was dropped */
     MapList seen; /* the maps that may be averaged over the pixel */
-    int below;    /* maps below this index are averaged */
-    int cost;     /* cost in operations, if `seen` has any map */
+    int below;    /* index below which maps are averaged */
+    int cost;     /* cost of the program in operations, if `seen` has any map */
 } Trial;
 
 static DiagList copy_of_diags(Arena *arena, const DiagList *diags)
@@ -114,8 +114,9 @@ static void swap(Trial **a, Trial **b)
 typedef struct {
     int fit, beyond;
     double cost_fit, cost_beyond;
-    const double *upto; /* by number of means n: approximate additional cost of the first n */
-    double surely;      /* factor on the remaining budget */
+    /* indexed by number of means n: approximate additional cost of the first n */
+    const double *upto;
+    double surely; /* factor on the remaining budget */
 } Bracket;
 
 /* Returns the number of means to try next: interpolates by their prices, scaled to the measured
@@ -194,7 +195,7 @@ static bool surely_fits(const LowerRequest *what, const Trial *all, Guess guess)
 {
     if (!all->ir || !all->seen.count || fits(all, most_beside(what, 0)))
         return all->ir != NULL;
-    /* then the program without means has slopes, too */
+    /* the program without means computes slopes, too */
     const bool own_slopes = all->seen.mingled || lower_displaced(what->material);
     if (guess != GUESS_fit || own_slopes)
         return false;
@@ -266,7 +267,7 @@ static Trial *affordable(const LowerRequest *what, Trial trials[2])
         return all;
     }
     drop(all);
-    /* no map to average, or a single one whose mean costs too much */
+    /* there is no map to average, or a single map whose mean costs too much */
     const bool known = plain->seen.count <= (size_t)first;
     if (!plain->ir || known)
         return plain;

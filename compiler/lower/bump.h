@@ -24,11 +24,11 @@ MapValue bump_smooth(Lower *l, const Node *map, Group group, const Env *env);
 
 /* A height map as a function of its coordinate. */
 typedef struct {
-    /* the map's value at q; a bool if it is one of two */
+    /* Returns the map's value at q; a bool if the value is one of two. */
     Ref (*at)(Lower *l, const void *map, MapValue q);
     /* The caller's data: kind and parameters of the map. */
     const void *map;
-    MapValue q; /* the coordinate at the shaded point */
+    MapValue q; /* coordinate at the shaded point */
     /* Step of the finite difference per component of q; 0: the map does not depend on that
      * component. */
     double step[3];

@@ -79,7 +79,7 @@ typedef struct {
 static Fading fading(Lower *l, const Cells *cells, Ref edge)
 {
     Ir *ir = l->ir;
-    const double widest = 64; /* in cells: the value has faded completely long before */
+    const double widest = 64; /* max edge in cells; the value has faded completely long before */
     const Statistics *s =
         &statistics[cells->dimensions - CELLS_FEWEST_DIMENSIONS][cells->distance][cells->measure];
     Ref one = build_float(ir, 1), width = build_min(ir, edge, build_float(ir, widest)),
@@ -139,7 +139,7 @@ bool cells_far(Lower *l, Far far, const Ref *args, MapValue *made)
         !ir_is(ir, args[DIMENSIONS], OP_const))
         return false;
     if (ir_known(ir, args[STYLE])[0] != 0)
-        return true; /* style 1: a random number of the nearest point's cell */
+        return true; /* style 1 shows a random number of the nearest point's cell */
     const int flat = ir_known(ir, args[DIMENSIONS])[0] < CELLS_MAX_DIMENSIONS;
     const Cells cells = {.jitter =
                              build_clamp(ir, args[JITTER], build_float(ir, 0), build_float(ir, 1))};

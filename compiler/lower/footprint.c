@@ -8,7 +8,7 @@
 #include "compiler/lower/footprint.h"
 
 static const double BOX_VARIANCE = 12;   /* a box filter of width b has the variance b^2 / 12 */
-static const double MIN_DIVISOR = 1e-37; /* a normal (not denormal) float */
+static const double MIN_DIVISOR = 1e-37; /* min divisor, a normal (not denormal) float */
 
 bool footprint_may_average(Kind kind)
 {

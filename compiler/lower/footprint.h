@@ -7,7 +7,7 @@
 
 enum {
     MAX_TAPS = 4,
-    MAX_SPLITS = 4, /* nesting of checkers whose colors are kept apart */
+    MAX_SPLITS = 4, /* max nesting of checkers whose colors are kept apart */
 };
 
 /* A box of a footprint: its center, and its edge lengths per component. */

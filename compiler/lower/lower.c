@@ -172,7 +172,7 @@ MapValue lower_map_value(Lower *l, const Node *map, Group group, const Env *env)
     const Node *above = l->map;
     l->ir->origin = ir_origin(l->ir, map);
     l->map = map;
-    const bool beside = l->averaged; /* an earlier map was averaged */
+    const bool beside = l->averaged; /* true if an earlier map was averaged */
     if (l->job->choice[AXIS_aa] == CHOICE_aa_auto && footprint_may_average(map->kind) &&
         !l->filters)
         note_averageable(l, map, group, env);

@@ -8,15 +8,14 @@
  * environment of its own. */
 typedef struct {
     Ref root[GROUP_COUNT];
-    Ref front; /* bool: front-facing */
-    bool seen; /* a viewer exists */
+    Ref front; /* bool: the surface is front-facing */
+    bool seen; /* a viewer of the surface exists */
     /* Set for a displacement, which depends on positions alone: attributes have their defaults,
      * and the object's random number is 0. */
     bool shape;
     Ref eye_n;  /* the root normal in eye space; 0: apply eyeFromWorld */
-    int number; /* memo key: depth of nested filters and Triplanar's Place */
-    /* Also part of the memo key: set within a displacement whose slopes by u and v are wanted;
-     * bump.c. */
+    int number; /* part of the memo key: depth of nested filters and Triplanar's Place */
+    /* Set within a displacement whose slopes by u and v are wanted; part of the memo key. bump.c */
     bool relief;
 } Env;
 
@@ -33,7 +32,7 @@ typedef struct {
     /* Variance within the pixel, per component, that the mean's slope does not account for; has
      * the value's type; 0: none. */
     Ref variance;
-    const struct Split *split; /* NULL: the value is not known to be one of two values */
+    const struct Split *split; /* two values between which the pixel is split; NULL: unknown */
 } MapValue;
 
 /* A value that is one of two everywhere in the pixel; nonlinear operations must be applied to
@@ -44,9 +43,9 @@ typedef struct Split {
 } Split;
 
 typedef struct {
-    uint64_t key; /* combines node, group and environment; 0: the entry is empty */
+    uint64_t key; /* key of node, group and environment; 0: the entry is empty */
     MapValue answer;
-    bool averaged; /* this map, or one below, was averaged over the pixel */
+    bool averaged; /* this map, or a map below, was averaged over the pixel */
 } Memo;
 
 /* The cached last result of lower_slot() for a slot. */
@@ -54,7 +53,7 @@ typedef struct {
     const Node *material;
     int number;    /* number of the material's environment */
     bool averaged; /* the value depends on a mean over the pixel, as in Memo */
-    Ref value;     /* 0: the slot has not been lowered yet */
+    Ref value;     /* value of the slot; 0: the slot has not been lowered yet */
 } SlotValue;
 
 typedef struct {
@@ -64,9 +63,9 @@ typedef struct {
 /* UV transform chain: the product of nested UVTransforms, applied to slopes. */
 typedef struct {
     bool known;
-    int count;             /* number of transforms */
-    const Node *transform; /* the transform, if count is 1 */
-    Slopes column[2];      /* if count > 1: images of (1, 0) and (0, 1) */
+    int count;             /* number of transforms in the chain */
+    const Node *transform; /* the only transform, if `count` is 1 */
+    Slopes column[2];      /* valid if count > 1: images of (1, 0) and (0, 1) */
 } UvTransformChain;
 
 /* An environment's number is PLACE_STRIDE * place + filter depth; the stride is above
@@ -110,15 +109,15 @@ typedef struct {
     const Node *map;     /* the map that is being lowered */
     MapList averageable; /* maps that --aa=auto may average; budget.c */
     int averaged_below;  /* maps of a lower index in the document are averaged */
-    bool averaged;       /* the current map, or one below, was averaged */
+    bool averaged;       /* the current map, or a map below, was averaged */
     /* Current nesting of alternatives that are likely to become a branch. */
     int arms;
-    bool relief;                    /* within a displacement of --derivatives=auto; bump.c */
+    bool relief;                    /* set within a displacement of --derivatives=auto; bump.c */
     Manner outside;                 /* options outside of the displacement */
     bool cheap;                     /* -O1 and up: use cheaper forms instead of the plainest */
     Ref (*slopes)[DIRECTION_COUNT]; /* derivatives found so far, by Ref; slope.c */
     size_t slope_capacity;
-    struct LateSum **sums; /* by Ref: values whose derivatives are given as sums; slope_sum.c */
+    struct LateSum **sums; /* per Ref: the derivatives of a value, given as sums; slope_sum.c */
     size_t sum_capacity;
     Ref *to_differ; /* stack of values to differentiate; slope.c */
     size_t to_differ_count, to_differ_capacity;
@@ -128,10 +127,10 @@ typedef struct {
     UvTransformChain *turns; /* UV transform chains by node; lower_normal.c */
     size_t turn_capacity;
     SlotValue asked[SLOT_COUNT];
-    struct SlotMemo *slots; /* by node and slot: slots of mixed materials; lower_mix.c */
+    struct SlotMemo *slots; /* per node and slot: values of mixed materials; lower_mix.c */
     Affine affine;          /* state of affine.c: affine forms of values */
     unsigned layout_slots;  /* the slots that the job's layout stores: layout_slots() */
-    uint8_t *uniform_use;   /* by uniform: 1 used as a count, 2 as a number */
+    uint8_t *uniform_use;   /* per uniform: 1 used as a count, 2 as a number */
     /* Blends whose coordinates are checked at the end, last first; lower_lint.c. */
     const struct Crossing *crossing;
     /* displacements whose slopes are checked, last first */

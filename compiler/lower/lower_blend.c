@@ -257,7 +257,7 @@ static MapValue ramp(Lower *l, MapValue t, MapValue a, MapValue b)
     const Type type = map_value_common_type(ir_type(l->ir, a.value), ir_type(l->ir, b.value));
     a = map_value_widened(l, a, type);
     b = map_value_widened(l, b, type);
-    /* on the arena: slopes are queried later */
+    /* allocated on the arena, since slopes are queried later */
     Stop *stops = ARENA_ARRAY(l->session->arena, Stop, 2);
     stops[0] = (Stop){build_float(l->ir, 0), a.value, a.variance};
     stops[1] = (Stop){build_float(l->ir, 1), b.value, b.variance};

@@ -229,7 +229,7 @@ void lower_write_displacement(Lower *l, const Node *displaced, const Env *env)
 {
     Ref none = build_float(l->ir, 0);
     Slopes s = {none, none};
-    Env shape = *env; /* environment of a shape, as for the slopes */
+    Env shape = *env; /* environment for the shape, as for the slopes */
     shape.shape = true;
     if (displaced)
         s = moved_of(l, displaced, env).slopes;

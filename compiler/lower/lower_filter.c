@@ -33,7 +33,8 @@ static int make_function(Lower *l, const Node *input, Group group, const Env *en
     ir_arguments(ir, env->number, (Type[]){TYPE_vec3, TYPE_vec2}, 2, arguments);
     Ref root[] = {env->root[GROUP_X], build_swizzle(ir, env->root[GROUP_U], "xy")};
     for (int i = 0; i < 2; i++)
-        for (int d = 0; d < DIRECTION_COUNT; d++) /* a shifted point changes as the point does */
+        /* the derivatives of a shifted point equal those of the point */
+        for (int d = 0; d < DIRECTION_COUNT; d++)
             slope_set(l, arguments[i], (Direction)d, slope_of(l, root[i], (Direction)d));
     Env inner = shifted_env(l, env, arguments);
     l->filters++;

@@ -91,7 +91,7 @@ static Ref word_value(Lower *l, const Packed *p, int target, int component, doub
         if (piece->target != target || piece->component != component)
             continue;
         Ref code = piece_value(l, piece, p->material, p->env);
-        ir->origin = ORIGIN_SURFACE; /* a word belongs to no single slot */
+        ir->origin = ORIGIN_SURFACE; /* origin of a word, which belongs to no single slot */
         if (ir_is(ir, code, OP_const)) {
             known += ldexp(ir_numbers(ir, code)[0], piece->shift);
             continue;

@@ -113,7 +113,7 @@ MapValue lower_Remap(Lower *l, const Node *node, Group group, const Env *env)
     Ref to_low = number(l, node, P_Remap_toLow, env),
         to_high = number(l, node, P_Remap_toHigh, env);
     Ref width = build_sub(ir, high, low), rise = build_sub(ir, to_high, to_low);
-    /* 0 where the width is 0 */
+    /* the rate is 0 where the width is 0 */
     Ref rate = lower_term(l, TERM_divide, (const Ref[TERM_MAX_ARGUMENTS]){rise, width});
     return given(l, line(l, x, low, (const Ref[]){rate, to_low}), group);
 }
@@ -164,7 +164,7 @@ MapValue lower_Clamp(Lower *l, const Node *node, Group group, const Env *env)
 static Ref raised(Lower *l, Ref x, const Ref *exponent)
 {
     Ir *ir = l->ir;
-    if (!ir_is(ir, *exponent, OP_const)) { /* for a constant, lower_term() does that */
+    if (!ir_is(ir, *exponent, OP_const)) { /* lower_term() bounds a constant exponent */
         Ref one = build_float(ir, 1),
             border = build_pow(ir, build_float(ir, 1e37),
                                build_div(ir, one, build_max(ir, *exponent, one)));

@@ -26,7 +26,7 @@ static Ref side_of_mix(Lower *l, const Node *mix, const Node *side, Slot slot, c
     return lower_value_slot(l, side, lower_is_principled(l, mix), slot, env);
 }
 
-/* A Mix's side, which is visible where `shows`. */
+/* A side of a Mix, visible where `shows` is true. */
 typedef struct {
     const Node *mix, *side;
     Ref shows;

@@ -128,7 +128,8 @@ static void write_sky(Lower *l, const Node *material, const Env *env)
 static void write_slots(Lower *l, const Node *material, const Env *env)
 {
     l->ir->slots = lower_needed_slots(l, material, env);
-    for (int slot = 0; slot < SLOT_COUNT; slot++) /* in the form that the G-buffer stores */
+    /* outputs the slots in the form that the G-buffer stores */
+    for (int slot = 0; slot < SLOT_COUNT; slot++)
         ir_output(l->ir, OUT_color, slot,
                   slot == SLOT_anisotropy ? lower_stored_anisotropy(l, material, env)
                                           : lower_slot(l, material, (Slot)slot, env));

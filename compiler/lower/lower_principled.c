@@ -219,7 +219,8 @@ static Ref anisotropy(Lower *l, const Node *m, const Env *env)
     Ref twice = build_scale(ir, red(l, m, P_Principled_anisotropyRotation, env), 4 * M_PI);
     Ref cosine = build_cos(ir, twice), sine = build_sin(ir, twice);
     Ref turn = build_vec(ir, TYPE_vec2, cosine, sine);
-    if (lower_param_node(m, P_Principled_tangent)) { /* the two angles are added */
+    /* adds the tangent's angle to the rotation's */
+    if (lower_param_node(m, P_Principled_tangent)) {
         Ref own = tangent_turn(l, m, env), x = build_component(ir, own, 0),
             y = build_component(ir, own, 1);
         Ref real = build_sub(ir, build_mul(ir, x, cosine), build_mul(ir, y, sine));

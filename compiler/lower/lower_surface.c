@@ -212,7 +212,7 @@ typedef struct {
     Function function;
     double step;
     int component;   /* selected component, or ALL_COMPONENTS */
-    Keyword address; /* addressing that no sampler does */
+    Keyword address; /* addressing that the sampler cannot do */
     bool centred;    /* a texel's color is at its center */
 } Sampled;
 

@@ -272,7 +272,8 @@ static Ref folded(Lower *l, const Ref *x)
 
 static Ref count(Lower *l, Ref number)
 {
-    return build_int(l->ir, ir_numbers(l->ir, number)[0]); /* a literal of the formula */
+    /* the number is a literal of the formula */
+    return build_int(l->ir, ir_numbers(l->ir, number)[0]);
 }
 
 /* Calls a scalar library function for every component. */

@@ -55,7 +55,7 @@ static Env projected_env(Lower *l, const Env *env, MapValue p, int axis)
 static Ref weights_of(Lower *l, Ref p, Ref sharpness)
 {
     Ir *ir = l->ir;
-    const double least = 1e-37; /* a normal (not denormal) float */
+    const double least = 1e-37; /* min divisor, a normal (not denormal) float */
     Ref by_u = build_or_zero(ir, slope_detached(l, p, DIRECTION_u), TYPE_vec3);
     Ref by_v = build_or_zero(ir, slope_detached(l, p, DIRECTION_v), TYPE_vec3);
     Ref normal = build_call(ir, FN_safeNormalize, build_cross(ir, by_u, by_v));

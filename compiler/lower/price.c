@@ -17,7 +17,7 @@ typedef struct {
     LowerRequest what;
     Lower lower;
     Env env;
-    uint8_t *counted; /* by Ref: the node's cost is in the sum */
+    uint8_t *counted; /* per Ref: the sum includes the node's cost */
     size_t capacity;
     Ref *to_count; /* stack of the nodes to visit */
     size_t to_count_count, to_count_capacity;

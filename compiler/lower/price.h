@@ -6,13 +6,13 @@
 
 /* Prices of maps in document order; each map is listed once. */
 typedef struct {
-    int *ends; /* per map: its index + 1 */
+    int *ends; /* per map: the map's index + 1 */
     /* upto[n]: additional cost of the first n means over point samples, in scalar
      * operations; ascending. */
     double *upto;
     int count;
     int known; /* prices of the first `known` maps are found; the next exceeds the limit */
-    int alike; /* for the first `alike` maps, means equal points */
+    int alike; /* the means of the first `alike` maps equal the point samples */
 } Prices;
 
 /* Adds up prices until they exceed `most`. The rest of the program is unknown here, so a mean

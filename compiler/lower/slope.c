@@ -11,7 +11,7 @@
 #include <string.h>
 
 enum { UNKNOWN = 0, COMPONENT_OPERANDS = 3 };
-static const Ref FLAT = UINT32_MAX; /* memo entry: constant along the direction */
+static const Ref FLAT = UINT32_MAX; /* memo entry of a value that is constant along the direction */
 
 static Ref *memo_of(Lower *l, Ref value, Direction direction)
 {
@@ -261,7 +261,8 @@ static Ref input_slope(Lower *l, Ref ref, Direction direction)
                     {INPUT_cornerP, {INPUT_cornerDU, INPUT_cornerDV}}};
     if (direction == DIRECTION_right || direction == DIRECTION_up) {
         if (input == INPUT_DU || input == INPUT_DV)
-            return 0; /* no footprint reads how tangents rotate; only slope_mesh_tangent() does */
+            /* no footprint reads the rotation of tangents; only slope_mesh_tangent() does */
+            return 0;
         for (int i = 0; i < change_count; i++)
             if (change_table[i].of == input &&
                 (direction == DIRECTION_right) == !strcmp(change_table[i].by, "dFdx"))

@@ -37,5 +37,6 @@ typedef const SlopeTerm *SlopeTerms(Lower *l, const void *what);
  * first use. Returns the earlier definition's `what`, which stays valid, or NULL if the value
  * had none. */
 const void *slope_set_sum(Lower *l, Ref value, SlopeTerms *terms, const void *what, int count);
-const SlopeSum *slope_sum_of(Lower *l, Ref value); /* NULL: not a sum */
+/* Returns the sum that was recorded for a value; NULL: the value is not a sum. */
+const SlopeSum *slope_sum_of(Lower *l, Ref value);
 #endif

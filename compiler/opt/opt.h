@@ -7,25 +7,28 @@
  * the IR, a bug of matc. */
 bool opt_run(Session *session, Ir *ir);
 
-bool opt_fold(Ir *ir);    /* constant folding */
-bool opt_algebra(Ir *ir); /* the rules of grammar/rules.def */
-bool opt_swizzle(Ir *ir); /* swizzles of swizzles and vectors; narrows operations early */
-bool opt_select(Ir *ir);  /* known conditions, equal arms, operations on constant arms */
-bool opt_power(Ir *ir);   /* integer exponents -> products */
-bool opt_range(Ir *ir);   /* clamps without effect, comparisons with a known result */
+bool opt_fold(Ir *ir);    /* folds constants */
+bool opt_algebra(Ir *ir); /* applies the rules of grammar/rules.def */
+bool opt_swizzle(Ir *ir); /* combines swizzles of swizzles and vectors; narrows operations early */
+/* simplifies selects: known conditions, equal arms, operations on constant arms */
+bool opt_select(Ir *ir);
+bool opt_power(Ir *ir); /* replaces powers with integer exponents by products */
+bool opt_range(Ir *ir); /* drops clamps without effect, and comparisons with a known result */
 /* Unused arguments of functions, functions without arguments, and unread components of results. */
 bool opt_function(Ir *ir);
-bool opt_merge(Ir *ir);        /* a value whose gradient is also computed -> its fourth component */
-bool opt_centre(Ir *ir);       /* cancels half a texel that is subtracted and added again */
-bool opt_group(Ir *ir);        /* constants of a sum or of a product are combined */
-bool opt_trigonometry(Ir *ir); /* trigonometric functions -> functions with bounded error */
-/* Guards that save nothing -> their value; the others are selects from then on. */
+/* replaces a value whose gradient is also computed by the gradient's fourth component */
+bool opt_merge(Ir *ir);
+bool opt_centre(Ir *ir); /* cancels half a texel that is subtracted and added again */
+bool opt_group(Ir *ir);  /* combines the constants of a sum or of a product */
+/* replaces trigonometric functions by functions with bounded error */
+bool opt_trigonometry(Ir *ir);
+/* Replaces guards that save nothing by their values; other guards become selects. */
 bool opt_guard(Ir *ir);
-bool opt_polish(Ir *ir); /* the local rules together, using the uses of nodes */
+bool opt_polish(Ir *ir); /* applies all local rules together, with the use counts of nodes */
 /* Applies the local rules of fold, algebra, swizzle, select and power to a new node, until none
  * applies. */
 Ref opt_simplify(Ir *ir, Ref ref);
-bool opt_dead(Ir *ir); /* dead code elimination */
+bool opt_dead(Ir *ir); /* eliminates dead code */
 
 /* The local rules: return the replacement of a node, or the node itself. `user` of swizzle and
  * group is a Uses. */

@@ -35,7 +35,7 @@ static Ref inverse_of(Ir *ir, Ref ref)
     return ir_const(ir, ir_type(ir, ref), components);
 }
 
-/* Returns the only nonzero component of a constant, or -1. */
+/* Returns the only nonzero component of a constant; -1: none, or several. */
 static int only_component(const Ir *ir, Ref ref)
 {
     int found = -1;

@@ -5,7 +5,7 @@
  *     becomes imageCentred(s, uv), a plain texture(s, uv) that does not need the size */
 #include "compiler/opt/opt.h"
 
-/* True for half a texel: vec2(0.5) / size, or its value if the size is constant. */
+/* Returns true for half a texel: vec2(0.5) / size, or its value if the size is constant. */
 static bool is_half_texel(const Ir *ir, Ref shift, Ref size)
 {
     if (ir_is(ir, shift, OP_div))

@@ -6,7 +6,7 @@
 static void keep_function(Ir *ir, size_t from, size_t to, const Ref *moved)
 {
     IrFunction function = ir->functions[from];
-    /* another function may share the old list */
+    /* copies the list, as another function may share it */
     Ref *arguments = ARENA_ARRAY(ir->arena, Ref, function.count);
     function.result = moved[function.result];
     for (int i = 0; i < function.count; i++)
@@ -56,7 +56,8 @@ typedef struct {
     const Ref *node;
     const int *function;
     const uint32_t *texture;
-    /* before compaction; IR that was parsed from text may refer to missing textures */
+    /* number of textures before compaction; IR that was parsed from text may refer to missing
+     * textures */
     size_t texture_count;
 } Numbers;
 

@@ -174,7 +174,8 @@ static Ref simplify(Ir *ir, Ref ref, const void *user)
     Ref args[32];
     node.count = 0;
     for (int i = 0; i < ir_at(ir, ref)->count; i++)
-        if (plan->read[f] >> i & 1 || i == ir->functions[f].count) /* a kernel keeps its size */
+        /* also keeps the last operand of a kernel, its size */
+        if (plan->read[f] >> i & 1 || i == ir->functions[f].count)
             args[node.count++] = ir_arg(ir, ref, i);
     node.payload = (uint32_t)plan->trimmed[f] - 1;
     return ir_make(ir, node, args);

@@ -20,7 +20,7 @@ typedef struct {
     Ref x, constant;
     /* sum: constant - x, otherwise x + constant; product: constant / x, otherwise x * constant */
     bool inverted;
-    bool opposite; /* sum: x - constant; product: x / constant */
+    bool opposite; /* sum: x - constant, product: x / constant */
 } Term;
 
 static bool is_float(Type type)
@@ -51,7 +51,7 @@ static bool find_term(const Ir *ir, Ref ref, Op straight, Op opposite, Term *ter
     term->opposite = ir_is(ir, ref, opposite) && !term->inverted;
     term->x = term->inverted ? b : a;
     term->constant = term->inverted ? a : b;
-    if (term->inverted && ir_is(ir, ref, straight)) /* operand order at -O0 */
+    if (term->inverted && ir_is(ir, ref, straight)) /* keeps the order of operands at -O0 */
         term->inverted = false;
     return is_moderate(ir, term->constant, least) && !ir_is(ir, term->x, OP_const);
 }

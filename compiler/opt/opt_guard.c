@@ -15,14 +15,14 @@
 #include "compiler/opt/opt.h"
 
 enum {
-    WORTH_A_BRANCH = 40, /* scalar operations */
+    WORTH_A_BRANCH = 40, /* min cost of a branch in scalar operations */
     /* Payload of a dead guard; its hash is not updated, since no more guards are created. */
     DEAD = 2,
 };
 
 typedef struct {
     const uint32_t *uses; /* per Ref: number of uses */
-    Ref *first;           /* per condition: its guards, linked by `next` */
+    Ref *first;           /* per condition: the first of its guards, which `next` links */
     Ref *next;            /* per guard: the next guard of its condition */
     /* Per Ref: number of uses by exclusive nodes; zeroed between conditions. */
     uint32_t *own;

@@ -7,7 +7,7 @@
 #include "compiler/base/hash_index.h"
 #include "compiler/opt/opt.h"
 
-/* True if a gradient call has the arguments that slopes.def derives from the value's. */
+/* Returns true if a gradient call has the arguments that slopes.def derives from the value's. */
 static bool is_gradient_of(const Ir *ir, Ref gradient, Ref value)
 {
     const SlopeRow *row = slope_row((int)ir_at(ir, value)->payload);

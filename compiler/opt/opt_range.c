@@ -29,8 +29,8 @@ static Interval range_at(const Site *s, Ref ref)
     return range_of(s->ranges, s->ir, ref, s->component);
 }
 
-/* True if a value is certainly in [low, high]; for a rounded value with a margin for rounding
- * errors. */
+/* Returns true if a value is certainly in [low, high]; for a rounded value with a margin for
+ * rounding errors. */
 static bool lies_within(const Site *s, Ref ref, double low, double high)
 {
     const double slack = 1e-5;
@@ -45,7 +45,7 @@ static bool lies_within(const Site *s, Ref ref, double low, double high)
 #define truth(x)               build_truth(ir, x)
 #define spread(x)              build_splat(ir, x, (Type)node.type)
 
-/* Max number of components of a node and its operands. */
+/* Returns the max number of components of a node and its operands. */
 static int components_at(const Ir *ir, Ref ref)
 {
     int components = ir_components(ir, ref);
@@ -55,7 +55,7 @@ static int components_at(const Ir *ir, Ref ref)
     return components;
 }
 
-/* A function's result also precedes its calls. */
+/* Returns true if a node has a step. A function's result also precedes its calls. */
 static bool has_step(const Ir *ir, Ref ref, const bool *steps)
 {
     const IrNode *node = ir_at(ir, ref);
@@ -96,12 +96,12 @@ static Ref only_value(Ir *ir, Ref ref, const Known *known)
     return (*known->steps)[ref] ? ref : ir_const(ir, type, components);
 }
 
-/* The BOUND rows of rules.def. */
+/* Applies the BOUND rows of rules.def. */
 static Ref decide(Ir *ir, Ref ref, const void *user)
 {
     const Known *known = user;
     Site site = {ir, known->ranges, 0};
-    bool holds; /* all components satisfy the condition */
+    bool holds; /* every component satisfies the condition */
     int components;
     const IrNode node = *ir_at(ir, ref);
     Ref a = node.count > 0 ? ir_arg(ir, ref, 0) : 0, b = node.count > 1 ? ir_arg(ir, ref, 1) : 0;

@@ -90,7 +90,7 @@ static bool known_alike(const Ir *ir, Ref ref, uint32_t component, int depth, do
            *value == other;
 }
 
-/* True if a component of a vector is a known number whatever the other components are, for
+/* Returns true if a component of a vector is a known number whatever the other components are, for
  * instance a product with 0. */
 static bool known_component(const Ir *ir, Ref ref, uint32_t component, int depth, double *value)
 {

@@ -18,7 +18,7 @@ static inline int channel_id(Group group, int component)
 /* The shaded surface point. */
 typedef struct {
     double root[CHANNEL_ID_COUNT]; /* values that a map without input reads, by channel id */
-    bool front;                    /* front-facing */
+    bool front;                    /* the surface is front-facing */
     /* derivatives of the object position by u and v; finite derivatives do not read them */
     double local_u[3], local_v[3];
     /* derivatives by u and v of the mesh's normal; used by displacement only */
@@ -29,7 +29,7 @@ typedef struct {
     /* Mesh attributes by the graph's index; valid where `has` has the bit 1 << (4 index +
      * component). */
     double attributes[LIMIT_ATTRIBUTES][4];
-    uint32_t has; /* other components have their defaults, equal at all points */
+    uint32_t has; /* set of known components; others have their defaults, equal at all points */
 } Surface;
 
 /* Sets the default surface: front side, n = (0, 0, 1), dP/du = (1, 0, 0), dP/dv = (0, 1, 0),
@@ -44,7 +44,7 @@ bool oracle_surface_set(Surface *surface, const char *name, double value);
 bool oracle_surface_attribute(const Graph *graph, Surface *surface, const char *name, double value);
 
 typedef struct {
-    /* components of slot_table[slot].type; the rest 0; unclamped */
+    /* components of slot_table[slot].type, unclamped; other components are 0 */
     double component[SLOT_COUNT][4];
 } SlotValues;
 

@@ -56,7 +56,7 @@ static double component_of_move(Environment *environment, const Node *displaced,
 void oracle_move(Environment *environment, const Node *displaced, OracleDisplacement *d)
 {
     const bool volume = graph_displaces_volume(displaced),
-               /* the other components are 0 */
+               /* without a vector map the point moves along the normal only */
         along_normal = !volume && graph_displacement(displaced).vector->kind != VALUE_node;
     *d = (OracleDisplacement){0};
     oracle_move_by(environment, displaced, d->by);

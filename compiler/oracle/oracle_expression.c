@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { STEP_WORK = 4 }; /* per step of a formula; noise is charged by its octaves */
+enum { STEP_WORK = 4 }; /* work per step of a formula; noise is charged by its octaves */
 
 /* Sets v to the unit vector from the point to the eye, or against parallel rays. */
 static void toward_viewer(const Environment *environment, double v[3])

@@ -22,7 +22,7 @@ typedef struct {
 } MemoRow;
 typedef struct {
     NodeNumbers nodes;
-    MemoRow *rows; /* by node number */
+    MemoRow *rows; /* cached values, indexed by node number */
     size_t capacity;
 } Memo;
 
@@ -37,7 +37,8 @@ typedef struct {
 enum { SKY_ROW_ZENITH, SKY_ROW_A, SKY_ROW_SUN = SKY_ROW_A + 5, SKY_ROW_COUNT };
 typedef struct {
     bool known;
-    double numbers[5]; /* the sun's direction, turbidity, radianceFactor */
+    /* inputs of the coefficients: the sun's direction, turbidity, radianceFactor */
+    double numbers[5];
     double rows[SKY_ROW_COUNT][3];
 } OracleSky;
 
@@ -46,20 +47,20 @@ struct Oracle {
     const Graph *graph;
     ReferenceContext context;
     NodeNumbers baked;
-    float **reliefs; /* by node number: a Carpenter's texels; NULL until first read */
+    float **reliefs; /* indexed by node number: a Carpenter's texels; NULL until first read */
     size_t relief_capacity;
     NodeNumbers turned;
-    SlopeTurn *turns; /* by node number */
+    SlopeTurn *turns; /* transforms of slopes, indexed by node number */
     size_t turn_capacity;
-    Memo *memos; /* by nesting depth of environments */
+    Memo *memos; /* caches of map values, indexed by nesting depth of environments */
     size_t memo_count, memo_capacity;
-    OracleSky sky;        /* that of the last SunSkyLight */
+    OracleSky sky;        /* coefficients for the last SunSkyLight */
     Choice derivatives;   /* method by which BumpMap computes slopes */
     double behind, ahead; /* the span of difference quotients, in steps; oracle_slope_span() */
-    /* check for smooth heights enabled; the check failed */
+    /* `judges`: smooth heights are checked; `rough`: the check failed */
     bool judges, rough;
     uint64_t stamp; /* stamp of the last opened environment; 0: invalid */
-    double work;    /* steps for this point; above LIMIT_WORK all values are 0 */
+    double work;    /* work for this point, in steps; above LIMIT_WORK all values are 0 */
 };
 
 /* A surface point at which maps are evaluated. A filter opens further environments, each one
@@ -76,7 +77,7 @@ typedef struct Environment {
     /* the point to which this one is adjacent, for any --derivatives; NULL: not adjacent */
     struct Environment *origin;
     struct Environment *outer; /* environment of the Triplanar whose map is evaluated; NULL: none */
-    const Node *triplanar;     /* that Triplanar, and its projection axis */
+    const Node *triplanar;     /* the Triplanar whose map is evaluated along `axis` */
     int axis;
 } Environment;
 Environment environment_open(Oracle *oracle, const Surface *surface, int depth);
@@ -126,11 +127,12 @@ void oracle_displace(Environment *environment, const Node *displaced, Surface *s
 
 /* Costs of evaluation in steps of some 5 ns. oracle_work.c */
 enum {
-    MAP_VALUE_WORK = 100, /* per map value: delegation and memory */
-    CALL_WORK = 3,        /* per operation of a reference, as grammar/ counts those of its GLSL */
-    ITEM_WORK = 3,        /* per skipped item of a Blend */
-    WAVE_WORK = 10,       /* per wave, alone or in a chain */
-    TEXEL_WORK = 12       /* per texel that a Carpenter bakes */
+    MAP_VALUE_WORK = 100, /* work per map value: delegation and memory */
+    /* work per operation of a reference; grammar/ counts the operations of its GLSL */
+    CALL_WORK = 3,
+    ITEM_WORK = 3,  /* work per skipped item of a Blend */
+    WAVE_WORK = 10, /* work per wave, alone or in a chain */
+    TEXEL_WORK = 12 /* work per texel that a Carpenter bakes */
 };
 /* Adds to the cost of evaluating the point. */
 void oracle_spend(const Environment *environment, double steps);
@@ -151,7 +153,7 @@ double oracle_same_of_all(const Environment *environment, const Node *node, int 
 typedef struct {
     double (*at)(const void *map, const double q[3]);
     const void *map;
-    double step[3]; /* 0: does not depend on that component */
+    double step[3]; /* step of the difference quotient; 0: independent of the component */
 } Stepped;
 /* Returns f at q0, extrapolated to q along the difference quotients (f(q0 + h e) - f(q0)) / h: a
  * discontinuous map becomes linear near the point. */
@@ -182,7 +184,7 @@ static inline bool is_derivative(int channel)
 /* Evaluates a channel of a map: oracle_<kind> for each map that is not a plain function of its
  * position. */
 typedef double MapValue(Environment *environment, const Node *node, int channel);
-MapValue oracle_map_value; /* any map: dispatches on its kind */
+MapValue oracle_map_value; /* evaluates any map: dispatches on its kind */
 MapValue oracle_volume;    /* declares oracle_volume for LOWERING_VOLUME */
 #define DECLARE_OWN(name) MapValue oracle_##name;
 #define DECLARE_VOLUME(name)
@@ -195,12 +197,14 @@ MapValue oracle_volume;    /* declares oracle_volume for LOWERING_VOLUME */
 void oracle_query_colour(Environment *environment, const Node *node, int param, double rgb[3]);
 /* Stores a normal with unit length, flipped to the visible side. */
 void oracle_set_normal(const Environment *environment, const double normal[3], SlotValues *result);
-const Node *oracle_material_of(const Node *material, int param); /* NULL: none */
+/* Returns the material of a parameter; NULL: none. */
+const Node *oracle_material_of(const Node *material, int param);
 /* Evaluates the slots of one side of a material, converted to the surface model of the whole. */
 void oracle_map_value_as(Environment *environment, const Node *whole, const Node *side,
                          SlotValues *result);
 bool oracle_is_principled(const Environment *environment, const Node *material);
-void oracle_as_principled(SlotValues *side); /* converts a Phong's slots. oracle_principled.c */
+/* Converts the slots of a Phong. oracle_principled.c */
+void oracle_as_principled(SlotValues *side);
 /* Evaluates a material's slots, written over those of a neutral material. oracle_material.c */
 #define DECLARE_SHADER(name)                                                                       \
     void oracle_##name(Environment *environment, const Node *material, SlotValues *result);

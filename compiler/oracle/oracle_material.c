@@ -300,7 +300,7 @@ bool oracle_material(Oracle *oracle, const Node *material, const Surface *surfac
 typedef struct {
     Environment environment;
     const Node *displaced;
-    bool slopes; /* evaluate slopes, too */
+    bool slopes; /* slopes are evaluated, too */
     OracleDisplacement *result;
 } MoveQuestion;
 

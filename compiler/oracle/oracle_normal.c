@@ -135,7 +135,7 @@ static Bend bend_at(Environment *environment, const Height *height, const double
 static bool is_smooth(Environment *environment, const Height *height, const double move[2])
 {
     enum { PARTS = 8 };
-    /* for maps with periods of at most 1, wider steps are not conclusive */
+    /* steps wider than this are not conclusive for maps with periods of at most 1 */
     const double shrink = 0.41, widest = ldexp(1, -10);
     if (fmax(move[0], move[1]) > widest)
         return false;

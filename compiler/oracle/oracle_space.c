@@ -82,7 +82,7 @@ static SlopeTurn uv_transform_chain(Oracle *oracle, const Node *node)
         turn = *uv_transform_at(oracle, node);
     while (count--) {
         if (chain[count]->kind == KIND_UVTransform)
-            for (int i = 0; i < 2; i++) /* images of (1, 0) and (0, 1) */
+            for (int i = 0; i < 2; i++) /* transforms (1, 0) and (0, 1) */
                 oracle_uv_slopes(chain[count], turn.m[i]);
         *uv_transform_at(oracle, chain[count]) = turn;
     }

@@ -274,7 +274,7 @@ static const float *relief(const Environment *environment, const Node *node, int
     return *texels;
 }
 
-static const double SURFACE_STEP = 0.005; /* for surface maps without a step of their own */
+static const double SURFACE_STEP = 0.005; /* step for surface maps that have no step of their own */
 
 double oracle_Carpenter(Environment *environment, const Node *node, int channel)
 {

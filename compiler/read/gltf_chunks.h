@@ -5,7 +5,7 @@
 
 /* The chunks of a .glb file. */
 typedef struct {
-    const char *text; /* the JSON chunk */
+    const char *text; /* text of the JSON chunk */
     size_t size;
     const char *binary; /* the binary chunk, a buffer without a uri; NULL: absent */
     size_t binary_size;

@@ -9,7 +9,7 @@ enum { MAX_DIGITS = 7 };
 typedef struct {
     GltfBytes bytes;
     bool read;
-    const char *why; /* reason why it could not be read */
+    const char *why; /* reason why the buffer could not be read */
 } Buffer;
 
 /* An external file that a .gltf refers to; `why`: the reason why it could not be read. */
@@ -19,11 +19,11 @@ struct GltfBeside {
 };
 
 struct GltfFile {
-    const Tree *root; /* NULL: it could not be read */
-    const char *why;  /* the reason */
+    const Tree *root; /* JSON of the file; NULL: unreadable */
+    const char *why;  /* reason why the file is faulty */
     const char *binary;
     size_t binary_size;
-    Buffer *buffers; /* per index; NULL: no buffer has been requested */
+    Buffer *buffers; /* indexed by buffer; NULL: no buffer has been requested */
 };
 
 static bool ends_in(const char *name, size_t size, const char *ending)

@@ -19,15 +19,15 @@ typedef struct GltfBeside GltfBeside;
 typedef struct {
     GltfFile **at;
     size_t count, capacity;
-    Names paths; /* paths of `at` */
+    Names paths; /* paths of the files in `at` */
     GltfBeside *beside;
     size_t beside_count, beside_capacity;
     Names beside_paths;
     Names source_paths; /* paths of the session's first `indexed` sources */
-    uint32_t *sources;  /* per index in source_paths: the first source with that path */
+    uint32_t *sources;  /* indexed as source_paths: the first source with the same path */
     size_t source_count, source_capacity, indexed;
 } GltfFiles;
-/* True if a path refers to an image inside a glTF file. */
+/* Returns true if a path refers to an image inside a glTF file. */
 bool gltf_file_has(const char *path);
 /* Reads the image with this path. Returns false and *why on failure. */
 bool gltf_file_picture(Session *session, GltfFiles *files, const char *path, GltfBytes *picture,

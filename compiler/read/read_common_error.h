@@ -7,7 +7,7 @@
 /* A message of libyaml, and its position in bytes of the source. */
 typedef struct {
     const char *problem;
-    uint32_t at, context, file; /* context: start of the enclosing construct */
+    uint32_t at, context, file; /* `context` is the start of the enclosing construct */
 } YamlFault;
 
 /* Returns true if the error is a common one, which has then been reported. */

@@ -23,14 +23,14 @@ enum {
     CLAMP = 33071,
     MIRROR = 33648,
     REPEAT = 10497
-}; /* OpenGL constants, as samplers use them */
+}; /* values of OpenGL constants that samplers use */
 
 typedef struct {
     Session *session;
     const Tree *root;
     Names names; /* names of the materials so far */
     Names stems; /* names that several materials of the file share */
-    int *last;   /* per stem: the number of the last duplicate */
+    int *last;   /* per name stem: the number appended to the last duplicate */
     size_t last_count, last_capacity;
     /* Per material: a primitive with this material has vertex colors. The last entry is for
      * primitives without a material. */

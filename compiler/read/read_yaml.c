@@ -20,7 +20,7 @@ typedef struct {
     yaml_parser_t parser;
     /* Byte offset of every MARK_STEP-th character; NULL for ASCII text, where both counts agree. */
     const uint32_t *bytes;
-    size_t characters; /* length of the whole text */
+    size_t characters; /* length of the whole text in characters */
     Anchor *anchors;
     size_t anchor_count, anchor_capacity;
     HashIndex anchor_index; /* finds anchors by name */

@@ -5,9 +5,9 @@
 #include "compiler/base/session.h"
 
 typedef enum {
-    TREE_scalar, /* a scalar: `text`, `plain` */
-    TREE_list,   /* a list: `items`, `count` */
-    TREE_object, /* an object: `members`, `count` */
+    TREE_scalar, /* a scalar, with `text` and `plain` */
+    TREE_list,   /* a list, with `items` and `count` */
+    TREE_object, /* an object, with `members` and `count` */
 } TreeKind;
 
 /* Result of resolving a subtree, so that a shared subtree is resolved once. */
@@ -15,27 +15,27 @@ typedef enum { MADE_nothing, MADE_node, MADE_wave, MADE_items, MADE_list } Made;
 
 typedef struct Tree Tree;
 typedef struct {
-    const char *key; /* zero-terminated */
+    const char *key; /* text of the key, zero-terminated */
     Tree *value;
     Span span;     /* position of the key */
-    uint32_t size; /* bytes of the key */
+    uint32_t size; /* size of the key in bytes */
 } Member;
 
 /* Documents have up to LIMIT_TREE_NODES trees: each byte of the struct counts in
  * docs/reference/stability.md, Memory. */
 struct Tree {
-    uint8_t kind; /* a TreeKind */
+    uint8_t kind; /* kind of the value, a TreeKind */
     uint8_t made; /* Made: selects the last union; MADE_nothing: `name` may be set */
-    bool plain;   /* scalar: unquoted, so it may be a number, a boolean or null */
-    bool open;    /* being read or resolved; a visit meanwhile means a cycle */
-    bool shared;  /* an alias refers to it */
-    bool failed;  /* resolve: a fault in it was reported */
-    bool printed; /* tree_print has printed it */
-    bool scoped;  /* scalar: the tree is a ScopedTree */
+    bool plain;   /* the scalar is unquoted, so it may be a number, a boolean or null */
+    bool open;    /* the tree is being read or resolved; another visit means a cycle */
+    bool shared;  /* an alias refers to the tree */
+    bool failed;  /* a fault in the tree was reported while it was resolved */
+    bool printed; /* tree_print has printed the tree */
+    bool scoped;  /* the tree is a scalar and a ScopedTree */
     Span span;
-    uint32_t count; /* items or members; bytes of a scalar */
+    uint32_t count; /* number of items or members; bytes of a scalar */
     union {
-        const char *text; /* zero-terminated */
+        const char *text; /* text of a scalar, zero-terminated */
         Tree **items;
         Member *members; /* followed by a hash table if there are many: tree_set_members */
     };
@@ -61,7 +61,7 @@ uint32_t tree_hash(const char *key, size_t size);
 /* Sets the object's members to a copy of the array. For duplicate keys tree_find() returns the
  * first. */
 void tree_set_members(Session *session, Tree *object, const Member *members, size_t count);
-/* Returns the first member with this key, or NULL. */
+/* Returns the first member with this key; NULL: none. */
 const Member *tree_find(const Tree *object, const char *key);
 const Member *tree_find_bytes(const Tree *object, const char *key, size_t size);
 bool tree_is_null(const Tree *tree);

@@ -7,15 +7,15 @@
 
 typedef struct {
     Session *session;
-    uint32_t file;  /* index of the source */
+    uint32_t file;  /* index of the source file */
     uint32_t start; /* offset of the text after a byte order mark */
     int values;
     Tree *values_left; /* preallocated values, and their number */
     int values_left_count;
     char *text, *text_end; /* preallocated space for texts */
-    Tree **items;          /* items of unfinished lists */
+    Tree **items;          /* stack of the items of unfinished lists */
     size_t item_count, item_capacity;
-    Member *members; /* members of unfinished objects */
+    Member *members; /* stack of the members of unfinished objects */
     size_t member_count, member_capacity;
     Span zero; /* the first text that contains a zero byte; empty: none */
 } TreeBuilder;

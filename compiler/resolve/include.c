@@ -29,7 +29,7 @@ static bool is_read(const Session *session, const char *path)
     return false;
 }
 
-/* True if the include has a valid name and does not exceed the nesting limit. */
+/* Returns true if the include has a valid name and does not exceed the nesting limit. */
 static bool may_include(Session *session, const Tree *name, int depth)
 {
     if (name->kind != TREE_scalar)
@@ -134,7 +134,7 @@ static void report_missing(Session *session, const Tree *name, const Found *foun
         diag_add(session, name->span, DIAG_cannot_include, name->text, found->why, hint.at);
 }
 
-/* True if a text contains a top-level key of a document. Any other file, such as a password
+/* Returns true if a text contains a top-level key of a document. Any other file, such as a password
  * file, is rejected before parsing, so that no message quotes it. */
 static bool looks_like_document(const Found *found)
 {

@@ -109,7 +109,7 @@ static bool resolve_node_param(Resolver *r, const ParamRow *row, Tree *tree, Val
 
 static bool resolve_holder(Resolver *r, const ParamRow *row, Tree *tree, Value *value)
 {
-    if (row->type == PARAM_Maps) /* resolved together with the formula that reads them */
+    if (row->type == PARAM_Maps) /* maps are resolved together with the formula that reads them */
         return true;
     if (row->type == PARAM_List)
         return resolve_map_list(r, row->name, tree, value);
@@ -117,7 +117,7 @@ static bool resolve_holder(Resolver *r, const ParamRow *row, Tree *tree, Value *
                                     : resolve_node_param(r, row, tree, value);
 }
 
-/* A null value is treated as absent. */
+/* Resolves a parameter. A null value is treated as absent. */
 bool resolve_param(Resolver *r, const ParamRow *row, Tree *tree, Value *value)
 {
     if (tree_is_null(tree)) {

@@ -12,8 +12,8 @@ static inline bool resolve_is_document_key(const char *key)
 {
     return !strcmp(key, "defs") || !strcmp(key, "include") || !strcmp(key, "colors");
 }
-/* True if the document has scene keys: matc compiles its `materials:`, and runtime/scene reads
- * the rest. */
+/* Returns true if the document has scene keys: matc compiles its `materials:`, and runtime/scene
+ * reads the rest. */
 bool resolve_is_scene(const Tree *document);
 /* Resolves a map or a material, at most once per tree; `outermost`: the document itself.
  * resolve.c */
@@ -57,14 +57,14 @@ bool resolve_number(Resolver *r, const char *what, Tree *tree, ComponentCount co
 bool resolve_color(Resolver *r, const Tree *tree, Value *value);
 /* Reads a document's `colors:`, which applies to its whole file. */
 bool resolve_color_space(Resolver *r, const Tree *document);
-/* True if colors of that source are sRGB unless stated otherwise. */
+/* Returns true if colors of that source are sRGB unless stated otherwise. */
 bool resolve_is_srgb(const Resolver *r, uint32_t file);
 /* Advises about a hex color such as "#ff8800" with the components `components`, if its file has no
  * `colors:` line; once per file. */
 void resolve_advise_colors(Resolver *r, Span span, const char *hex, const double *components);
 /* Resolves a wave; *wave is NULL for null. resolve_wave.c */
 bool resolve_wave(Resolver *r, Tree *tree, const Wave **wave);
-/* resolve_transform.c */
+/* Resolves a transform. resolve_transform.c */
 bool resolve_transform(Resolver *r, Tree *tree, Transform *transform);
 
 /* Resolves an Expression's formula and the maps that the formula reads, into its parameters.
@@ -77,13 +77,13 @@ bool resolve_formula(Resolver *r, const Tree *text, const Tree *with, Value *par
  * component or a number of components that `components` allows. */
 bool resolve_known_formula(Resolver *r, const char *what, const Tree *text,
                            ComponentCount components, Value *value);
-/* True for a text that begins with '='. */
+/* Returns true for a text that begins with '='. */
 static inline bool resolve_is_formula(const Tree *tree)
 {
     return tree->kind == TREE_scalar && tree->count > 0 && tree->text[0] == '=';
 }
 
-/* True for a valid material name, usable as a file name: letters, digits, '_', '-' and '.',
+/* Returns true for a valid material name, usable as a file name: letters, digits, '_', '-' and '.',
  * starting with a letter. resolve_document.c */
 bool resolve_is_name(const char *name);
 

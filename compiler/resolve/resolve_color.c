@@ -45,7 +45,7 @@ bool resolve_color_space(Resolver *r, const Tree *document)
 
 /* -- Advice about hex colors without `colors:` */
 
-/* True if all components are 0 or 1, which are equal in sRGB and linear light. */
+/* Returns true if all components are 0 or 1, which are equal in sRGB and linear light. */
 static bool is_pure(const double *components)
 {
     bool pure = true;
@@ -154,7 +154,8 @@ bool resolve_color(Resolver *r, const Tree *tree, Value *value)
         return false;
     if (text == tree->text && text[0] == '#')
         resolve_advise_colors(r, tree->span, text, value->number);
-    for (int component = 0; srgb && component < 3; component++) /* alpha is a coverage, not light */
+    /* converts no alpha, which is a coverage and not light */
+    for (int component = 0; srgb && component < 3; component++)
         value->number[component] = srgb_decode(value->number[component]);
     value->color = true;
     return true;

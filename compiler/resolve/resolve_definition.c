@@ -152,7 +152,8 @@ static bool find_named(Copy *c, const Tree *formula, bool named[LIMIT_DEFINITION
             continue;
         any = named[found] = true;
     }
-    c->r->copied += formula->count / sizeof(Tree); /* a long text costs as much as many values */
+    /* counts the formula's steps, since a long text costs as much as many values */
+    c->r->copied += formula->count / sizeof(Tree);
     return any;
 }
 
@@ -261,7 +262,7 @@ static Tree *copy_of(Copy *c, Tree *tree)
     return tree->shared ? copy_shared(c, tree) : copy_parts(c, tree);
 }
 
-/* True for equal scalars of one file, or the same tree. */
+/* Returns true for equal scalars of one file, or the same tree. */
 static bool alike(const Tree *a, const Tree *b)
 {
     if (a == b)
@@ -318,7 +319,7 @@ static Tree *expand(Copy *c)
 Tree *resolve_definition(Resolver *r, const Member *definition, const Tree *use)
 {
     Copy c = {.r = r, .definition = definition};
-    if (definition->value->failed) /* its parameters have a fault that was reported */
+    if (definition->value->failed) /* the definition's parameters have a fault that was reported */
         return NULL;
     if (!read_parameters(&c)) {
         definition->value->failed = true;

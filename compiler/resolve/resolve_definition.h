@@ -3,7 +3,7 @@
 #define MATC_RESOLVE_DEFINITION_H
 #include "compiler/resolve/resolve.h"
 
-/* True if the tree has `params:` or `doc:`. */
+/* Returns true if the tree has `params:` or `doc:`. */
 bool resolve_is_definition(const Tree *tree);
 /* Instantiates a definition for a use `{ ref: name, parameter: argument }`; equal uses share one
  * tree. A NULL use selects the defaults, to check the definition. Returns NULL after reporting a

@@ -152,7 +152,7 @@ static bool check_top(Resolver *r, const Tree *document, bool many)
     return fine;
 }
 
-/* True for an object that a scene instances, which runtime/scene_reader reads. */
+/* Returns true for an object that a scene instances, which runtime/scene_reader reads. */
 static bool is_scene_object(const Tree *tree)
 {
     return tree->kind == TREE_object && tree_find(tree, "object");
@@ -188,7 +188,7 @@ static void check_defs(Resolver *r, const Tree *document)
         }
 }
 
-/* True for a document of definitions for `include:`, without a material to compile. */
+/* Returns true for a document of definitions for `include:`, without a material to compile. */
 static bool has_definitions_only(const Tree *document)
 {
     for (uint32_t i = 0; i < document->count; i++)
@@ -210,7 +210,7 @@ static void *report_no_material(Session *session, const Tree *document)
     return diag_add(session, document->span, DIAG_no_material, hint_no_material(session, document));
 }
 
-/* True for a list whose first item is a material: - material: Phong */
+/* Returns true for a list whose first item is a material: - material: Phong */
 static bool lists_material(const Tree *document)
 {
     return document->kind == TREE_list && document->count &&

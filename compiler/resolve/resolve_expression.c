@@ -12,7 +12,7 @@
 /* A formula and the maps that it reads, each once. */
 typedef struct {
     Resolver *r;
-    const Tree *text, *with; /* with: may be NULL */
+    const Tree *text, *with; /* `with` may be NULL: no named inputs */
     /* Arguments of the definition's parameters that the text names; NULL: none. */
     const Tree *arguments;
     /* parameters of the definition, looked up for an unknown name; NULL: none */

@@ -34,7 +34,8 @@ bool resolve_in_range(Resolver *r, const ParamRow *row, const Tree *tree, const 
 static bool resolve_whole(Resolver *r, const ParamRow *row, const Tree *tree, const Value *value)
 {
     const double *number = value->kind == VALUE_uniform ? value->uniform->initial : value->number;
-    if (*number == trunc(*number) && fabs(*number) < 2147483648.0) /* range of a GLSL int */
+    /* the number is in the range of a GLSL int */
+    if (*number == trunc(*number) && fabs(*number) < 2147483648.0)
         return true;
     diag_add(r->session, tree->span, DIAG_not_whole, row->name, tree_describe(r->session, tree));
     return false;
@@ -153,7 +154,7 @@ bool resolve_leaf(Resolver *r, const ParamRow *row, Tree *tree, Value *value)
         return resolve_bool(r, row, tree, value);
     case PARAM_Image:
         return resolve_image(r, row, tree, value);
-    case PARAM_Formula: /* resolved together with its maps */
+    case PARAM_Formula: /* a formula is resolved together with its maps */
         return true;
     case PARAM_Wave:
         value->kind = VALUE_wave;

@@ -12,11 +12,11 @@ static int width_of(const Value *map)
     return map->kind == VALUE_node ? map->node->width : SURFACE_WIDTH;
 }
 
-/* Width that can represent both operands: a number is replicated to all components, and two
- * components cannot be widened to a color. */
+/* Returns the width that can represent both operands: a number is replicated to all components,
+ * and two components cannot be widened to a color. */
 static int joined(int a, int b) { return a + b == 3 ? 3 : a > b ? a : b; }
 
-/* Width that can represent all items; 0 for an empty list. */
+/* Returns the width that can represent all items; 0 for an empty list. */
 static int width_of_items(const Value *list)
 {
     const Items *items = list->kind == VALUE_items ? list->items : NULL;
@@ -29,8 +29,8 @@ static int width_of_items(const Value *list)
     return width;
 }
 
-/* Width of the maps that determine the node's color; 0: none. A missing map is replaced by the
- * others, or by the input. */
+/* Returns the width of the maps that determine the node's color; 0: none. A missing map is
+ * replaced by the others, or by the input. */
 static int width_of_colours(const Node *node)
 {
     const int first = kind_table[node->kind].first, count = kind_table[node->kind].count;
@@ -46,8 +46,8 @@ static int width_of_colours(const Node *node)
     return width;
 }
 
-/* Number of components of a map's value in formulas, from those of the maps below; 0 for a
- * material. */
+/* Returns the number of components of a map's value in formulas, from those of the maps below; 0
+ * for a material. */
 static int width_of_node(const Node *node)
 {
     const Value *formula = node->kind == KIND_Expression ? node_param(node, P_Expression_is) : NULL;

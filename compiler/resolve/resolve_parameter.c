@@ -33,7 +33,7 @@ static bool is_number(const Tree *tree)
     return tree->kind == TREE_scalar && tree_number(tree, &number);
 }
 
-/* A formula can replace any value made of numbers. */
+/* Returns true for a formula, which can replace any value made of numbers. */
 static bool is_formula(const Tree *tree)
 {
     return tree->kind == TREE_scalar && tree->text[0] == '=';
@@ -68,7 +68,7 @@ static ParameterType type_of(const Tree *tree)
 
 const char *resolve_parameter_type(ParameterType type) { return type_names[type]; }
 
-/* True if a type accepts an argument. Colors and maps are interchangeable. */
+/* Returns true if a type accepts an argument. Colors and maps are interchangeable. */
 static bool fits(ParameterType type, const Tree *tree)
 {
     /* other faults in them are reported by name */

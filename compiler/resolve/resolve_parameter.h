@@ -17,10 +17,10 @@ typedef enum {
 } ParameterType;
 
 typedef struct {
-    const Member *member; /* the member of `params:` */
+    const Member *member; /* member of `params:` that declares the parameter */
     ParameterType type;
-    Tree *init;             /* default; NULL: every use must give an argument */
-    const Tree *low, *high; /* min and max: numbers, or NULL */
+    Tree *init;             /* default value; NULL: every use must give an argument */
+    const Tree *low, *high; /* numbers of the keys `min` and `max`; NULL: missing */
 } Parameter;
 
 /* Returns the name of a type. */
@@ -28,8 +28,8 @@ const char *resolve_parameter_type(ParameterType type);
 /* Parses name: default, or name: { default, type, doc, min, max }. Returns false after reporting
  * a fault. */
 bool resolve_parameter(Resolver *r, const Member *member, Parameter *parameter);
-/* True if the parameter of a definition accepts an argument. Returns false after reporting a
- * fault. */
+/* Returns true if the parameter of a definition accepts an argument. Returns false after
+ * reporting a fault. */
 bool resolve_argument(Resolver *r, const Member *definition, const Parameter *parameter,
                       const Tree *argument);
 /* Adds a note at the parameter that rejected an argument. */

@@ -42,7 +42,7 @@ void resolve_picture(Resolver *r, const Node *node, Value *params)
 /* Depth-first search from a set of nodes, either along color parameters only or along all;
  * `open` is the stack of unvisited nodes. */
 typedef struct {
-    bool any_way, *met; /* any_way: along all parameters; met: visited nodes, by index */
+    bool any_way, *met; /* `any_way`: follow all parameters; `met`: visited nodes, by index */
     const Node **open;
     int count;
 } Reach;

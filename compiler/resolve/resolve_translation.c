@@ -116,7 +116,7 @@ static bool known_input(const Item *item, double components[4])
     const Node *node = item->input;
     if (node->kind != KIND_Constant || node->params->kind != VALUE_number)
         return false;
-    if (item->width == 1) /* the red component */
+    if (item->width == 1) /* selects the red component */
         components[0] = components[1] = components[2] = components[3] = node->params->number[0];
     else
         value_number(node->params, TYPE_vec4, components);
@@ -160,8 +160,8 @@ static const Node *expression(Foreign *s, const Formula *formula)
                              (Node){.kind = KIND_Expression, .span = s->span, .params = params});
 }
 
-/* True if the value is 0 for any value of the unknown maps, because a known factor is 0. Tested
- * with several guesses. */
+/* Returns true if the value is 0 for any value of the unknown maps, because a known factor is 0.
+ * Tested with several guesses. */
 static bool is_nothing(const Foreign *s, const Formula *formula)
 {
     static const double guesses[][4] = {{.3, .6, .9, .2}, {0, .5, 0, .7}, {1, 0, .4, 1}};
@@ -281,7 +281,7 @@ const Node *resolve_translate(Resolver *r, Node of)
             *value = as_number(*value);
         fine &= value->kind != VALUE_none || !param_table[rule->to].components;
     }
-    lint_units(r->session, &of); /* checked in the author's units */
+    lint_units(r->session, &of); /* checks values in the author's units */
     report_losses(&s);
     of.written = of.kind;
     of.kind = KIND_Principled;

@@ -49,7 +49,7 @@ static bool chain(Resolver *r, const Tree *tree, Wave *wave)
     return fine;
 }
 
-/* Only a Chain has keys other than `wave:`. */
+/* Checks the keys of a wave: only a Chain has keys other than `wave:`. */
 static bool stands_alone(Resolver *r, const Tree *tree, const Member *name, WaveKind kind)
 {
     if (tree->count == 1)

@@ -108,7 +108,7 @@ static void drop_files(Batch *b)
         }
 }
 
-/* True if a file name of the material in some pass is also used by another material. */
+/* Returns true if a file name of the material in some pass is also used by another material. */
 static bool meets_other(const Batch *b, const BatchMaterial *material, StringSet *names)
 {
     char name[LONGEST_NAME], earlier[LONGEST_NAME];
@@ -118,7 +118,7 @@ static bool meets_other(const Batch *b, const BatchMaterial *material, StringSet
         batch_name(b, unit, name);
         string_set_add(names, name, &added);
         met = !added;
-        /* two passes of a material can be one program */
+        /* two passes of a material can have the same program */
         for (int before = 0; before < t && met; before++) {
             batch_name(b, &material->units[before], earlier);
             met = strcmp(name, earlier) != 0;
@@ -222,7 +222,7 @@ static void commit(Batch *b)
                     : NULL;
     if (why)
         batch_complain_within(b, NULL, b->line->folder, manifest_name, why);
-    if (old) /* otherwise the manifest is unchanged, or the first */
+    if (old) /* NULL: the manifest is unchanged, or no manifest existed */
         manifest_remove_stale(b, old);
     free(old);
     why = b->fault ? NULL : outputs_commit(&b->folders);
@@ -286,7 +286,7 @@ static bool start(Batch *b, const CommandLine *line, const BatchCalls *calls)
     pthread_mutex_init(&b->mutex, NULL);
     choose_numbers(b);
     b->options.linked = b->linked = matc_linked_new();
-    b->options.pass = NULL; /* each request has its own */
+    b->options.pass = NULL; /* each request sets its own pass */
     choose_outputs(b);
     take_documents(b);
     return open_folders(b) && batch_stored_open(b);

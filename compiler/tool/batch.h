@@ -21,8 +21,9 @@ typedef struct {
 typedef struct {
     int documents, materials, programs;
     int passes[PASS_COUNT]; /* number of programs per pass */
-    int buffered;           /* programs whose materials differ in constants of a uniform block */
-    int written;            /* files that changed */
+    /* number of programs whose materials differ in constants of a uniform block */
+    int buffered;
+    int written; /* number of files that changed */
 } BatchResult;
 
 /* Compiles all inputs of the command line into its folder. Returns false and writes nothing if

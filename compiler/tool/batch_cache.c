@@ -97,7 +97,7 @@ static void put_settings(Bytes *to, const Batch *b)
 void batch_stored_key(const Batch *b, BatchDocument *document)
 {
     Bytes bytes = {0};
-    if (!b->cache) { /* lets a change be detected when the file is reread */
+    if (!b->cache) { /* stores the hash, so that a later read detects a change */
         document->key = key_of_bytes(document->text, document->size);
         return;
     }
@@ -108,7 +108,7 @@ void batch_stored_key(const Batch *b, BatchDocument *document)
     bytes_free(&bytes);
 }
 
-/* True if all files are unchanged. */
+/* Returns true if all files are unchanged. */
 static bool same_files(Batch *b, BytesReader *from, int count)
 {
     for (int i = 1; i < count; i++) {
@@ -213,7 +213,7 @@ bool batch_stored_document(Batch *b, BatchDocument *document)
     BytesReader from = {entry, entry + size, false};
     document->stored = load_document(b, document, &from);
     free(entry);
-    /* corrupted in a way that checksums do not detect */
+    /* the entry is corrupted in a way that checksums do not detect */
     if (!document->stored && document->materials) {
         int requests = b->request_count;
         Key key = document->key;
@@ -227,7 +227,7 @@ bool batch_stored_document(Batch *b, BatchDocument *document)
     return document->stored;
 }
 
-/* True if program files were added that the document's entry does not list. */
+/* Returns true if program files were added that the document's entry does not list. */
 static bool has_changed(const BatchDocument *document, int requests)
 {
     for (int i = 0; i < document->material_count * requests; i++)

@@ -95,7 +95,7 @@ static void compile_request(Batch *b, BatchDocument *document, BatchMaterial *ow
     MatcProgram *program = compile(b, document, unit, NULL);
     if (!program)
         return;
-    /* the diagnostics are warnings only */
+    /* diagnostics of a successful compilation are warnings only */
     batch_report_of(b, document, unit->material,
                     matc_program_diagnostics(program, b->line->diagnostics));
     unit->pass = unit_pass(program);

@@ -24,7 +24,7 @@ static void add_unit(Batch *b, KeySet *keys, Key key, Unit *unit)
     b->programs[unit->program].unit_count++;
 }
 
-/* True if all units of the program have equal numbers at a place. */
+/* Returns true if all units of the program have equal numbers at a place. */
 static bool is_same(const BatchProgram *program, int at, int components)
 {
     size_t size = (size_t)components * sizeof(uint32_t);
@@ -61,7 +61,7 @@ static int find_members(BatchProgram *program)
         if (is_same(program, offsets[i], components))
             continue;
         Key key = column_key(program, offsets[i], components);
-        key.low ^= (uint64_t)kind; /* distinguishes a word from a float */
+        key.low ^= (uint64_t)kind; /* makes the keys of a word and a float differ */
         int column = key_set_add(&columns, key, &added);
         if (added)
             place_of[column] = i;

@@ -18,7 +18,7 @@ void batch_inputs(const Batch *b, StringSet *files)
         string_set_add(files, b->line->compile.layout, NULL);
 }
 
-/* True if the path's folder is the given folder. */
+/* Returns true if the path's folder is the given folder. */
 static bool lies_in(const char *path, size_t size, const struct stat *folder)
 {
     struct stat info;

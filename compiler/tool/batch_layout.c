@@ -20,7 +20,7 @@ static int open_to_measure(void *user, int number)
     matc_ranges_init(document->ranges);
     if (batch_stored_ranges(b, document))
         return 0;
-    /* faults are reported when the document is compiled */
+    /* ignores the document's faults, which its compilation reports */
     int count = matc_material_count(batch_document_parsed(b, document));
     return count;
 }
@@ -36,7 +36,7 @@ static void measure_material(void *user, int number, int material)
         return;
     matc_ranges_init(&own);
     bool fine = matc_ranges_add(&own, parsed, material, &b->options, &fault);
-    free(fault); /* reported when the material is compiled */
+    free(fault); /* the fault is reported when the material is compiled */
     pthread_mutex_lock(&document->mutex);
     if (fine)
         matc_ranges_join(document->ranges, &own);
@@ -69,7 +69,7 @@ void batch_make_layout(Batch *b)
         b->options.custom = b->layout;
         if (b->line->stats)
             batch_report(b, NULL, matc_layout_report(b->layout));
-    } else { /* no materials, as the documents' messages say */
+    } else { /* the documents have no materials, as their messages say */
         b->options.layout = NULL;
     }
 }

@@ -19,16 +19,17 @@ typedef struct {
     char *name;
     const char *opacity; /* opacity class, as matc_opacity returns */
     Bytes reported;      /* diagnostics, printed after those of the document */
-    Unit *units;         /* one unit per request */
+    Unit *units;         /* array of one unit per request */
 } BatchMaterial;
 
 typedef struct {
     const char *path;
-    char *text; /* kept while the document and its materials are compiled */
+    char *text; /* text of the document, kept while the document and its materials are compiled */
     size_t size;
-    /* Hash of everything that determines its materials' programs, except included files. */
+    /* Hash of everything that determines the programs of the document's materials, except included
+     * files. */
     Key key;
-    MatcDocument *parsed; /* NULL while not needed */
+    MatcDocument *parsed; /* the parsed document; NULL while not needed */
     BatchMaterial *materials;
     Unit *units; /* units of all materials */
     int material_count;
@@ -36,22 +37,25 @@ typedef struct {
     char **depends; /* the document and its included files */
     int depend_count;
     MatcRanges *ranges; /* set with --layout=auto, while the document is open */
-    bool stored;        /* loaded from the cache */
+    bool stored;        /* the document was loaded from the cache */
     /* Diagnostics were printed, so the document is not cached: a cached run would print none. */
     bool spoke;
     bool unreadable; /* reading failed, which was reported */
-    bool once;       /* a pipe, which can be read only once: its text is kept */
+    bool once;       /* the input is a pipe, which can be read only once: its text is kept */
     Bytes reported;  /* diagnostics of the document */
     bool closed;
-    int *again, again_count; /* programs to be rewritten for its materials, once all are known */
-    pthread_mutex_t mutex;   /* guards `parsed` */
+    /* programs to be rewritten for the document's materials, once all are known */
+    int *again, again_count;
+    pthread_mutex_t mutex; /* guards `parsed` */
 } BatchDocument;
 
 typedef struct {
-    Unit *first, *last; /* linked list of its materials; the first one names the program */
+    /* linked list of the program's materials; the first one names the program */
+    Unit *first, *last;
     int unit_count;
-    int *members; /* per place: the member that replaces it; NULL: all numbers are literals */
-    char *name;   /* name of its files without suffix */
+    /* per place: the member that replaces the number; NULL: all numbers are literals */
+    int *members;
+    char *name; /* name of the program's files without suffix */
 } BatchProgram;
 
 /* A program to be written: of a unit, with the numbers at `members` from a uniform block (NULL:
@@ -63,13 +67,13 @@ typedef struct {
 } BatchEdition;
 
 typedef struct {
-    const char *base, *suffix; /* the parts of its name */
+    const char *base, *suffix; /* parts of the program's name */
 } BatchFile;
 
 typedef struct {
     const CommandLine *line;
     const BatchCalls *calls;
-    const char *requests[MAX_PASSES]; /* requested passes */
+    const char *requests[MAX_PASSES]; /* names of the requested passes */
     int request_count;
     Numbers numbers;
     unsigned outputs; /* MatcOutput flags of a program */
@@ -79,23 +83,23 @@ typedef struct {
     BatchProgram *programs;
     int program_count;
     MatcRanges ranges;  /* joined ranges of all documents, with --layout=auto */
-    MatcLayout *layout; /* automatic layout, or NULL */
-    Outputs folders;    /* all output folders */
-    /* Stagings of the folder and of --textures, possibly the same; NULL: none. */
+    MatcLayout *layout; /* automatic layout; NULL: none */
+    Outputs folders;    /* all output folders of the run */
+    /* Stagings of the folder and of --textures, possibly the same; NULL: not given. */
     Staging *staging, *textures;
-    MatcLinked *linked;    /* shared by all options */
+    MatcLinked *linked;    /* cache of linked vertex programs, for all options */
     Cache *cache;          /* the cache; NULL: disabled */
     pthread_mutex_t mutex; /* guards the members below */
     /* Input files in the output folder, by their names there. */
     StringSet within;
     KeySet seen;     /* programs that some thread already writes */
     StringSet files; /* files on which documents depend */
-    Key *file_keys;  /* their content hashes */
+    Key *file_keys;  /* content hashes of the files */
     /* Number of documents whose diagnostics are complete; and number of leading documents whose
      * diagnostics were printed. */
     int closed, reported;
     Bytes general;     /* diagnostics that concern no document */
-    atomic_bool fault; /* read by any thread */
+    atomic_bool fault; /* a fault occurred; any thread reads the flag */
 } Batch;
 
 /* -- batch_report.c */
@@ -127,7 +131,7 @@ void batch_name(const Batch *batch, const Unit *unit, char name[LONGEST_NAME]);
 /* Stages a file of a program, or of the layout. */
 void batch_put_file(Batch *batch, BatchDocument *document, BatchFile file, const char *bytes,
                     size_t size);
-/* True for outputs that are written for every program. */
+/* Returns true for outputs that are written for every program. */
 bool batch_is_of_program(int emit);
 /* Opens every document, processes its parts and closes it, on all threads. */
 void batch_phase(Batch *batch, int (*open)(void *, int), void (*work)(void *, int, int),
@@ -138,11 +142,12 @@ void batch_phase(Batch *batch, int (*open)(void *, int), void (*work)(void *, in
 void batch_inputs(const Batch *batch, StringSet *files);
 /* Reports each output that would replace an input. Call it when all outputs are staged. */
 void batch_spare_inputs(Batch *batch);
-/* True if the folder's file of that name is an input. Call it after batch_spare_inputs(). */
+/* Returns true if the folder's file of that name is an input. Call it after
+ * batch_spare_inputs(). */
 bool batch_reads(const Batch *batch, const char *name);
 
 /* -- batch_layout.c */
-void batch_make_layout(Batch *batch); /* used with --layout=auto */
+void batch_make_layout(Batch *batch); /* Makes the layout for --layout=auto. */
 /* Writes the files that all programs share: the unpacking GLSL, and the layout itself. */
 void batch_write_layout(Batch *batch);
 /* Returns the layout cases that the materials write, 1 << case; 0: all are read back. */

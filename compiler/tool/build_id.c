@@ -14,7 +14,7 @@ typedef struct {
 
 static size_t padded(size_t size) { return (size + 3) & ~(size_t)3; }
 
-/* An ELF note consists of a header, a name, and a description. */
+/* Searches ELF notes, which consist of a header, a name, and a description. */
 static void look_at_notes(const char *at, const char *end, Identity *identity)
 {
     while ((size_t)(end - at) >= sizeof(ElfW(Nhdr))) {
@@ -33,7 +33,7 @@ static void look_at_notes(const char *at, const char *end, Identity *identity)
     }
 }
 
-/* The first object is the program itself. */
+/* Examines an object; the first object is the program itself. */
 static int look_at(struct dl_phdr_info *info, size_t size, void *user)
 {
     (void)size;

@@ -30,7 +30,7 @@ struct Cache {
     atomic_uint_fast64_t hits, misses, damaged, failed, written;
     /* Estimated bytes in the folder. */
     atomic_uint_fast64_t total;
-    /* errno of the first failure, 0: none. */
+    /* errno of the first failure; 0: no failure */
     atomic_int trouble;
     atomic_flag trimming; /* a thread is trimming; stays set if trimming does not help */
 };
@@ -63,7 +63,7 @@ static bool make_folders(const char *path)
         memory_exhausted();
     for (char *slash = strchr(copy + 1, '/'); slash; slash = strchr(slash + 1, '/')) {
         *slash = 0;
-        mkdir(copy, PASSABLE); /* a failure shows at the last folder */
+        mkdir(copy, PASSABLE); /* ignores failures, which show at the last folder */
         *slash = '/';
     }
     free(copy);
@@ -80,12 +80,12 @@ static void put_tag(int folder)
     if (file < 0)
         return;
     ssize_t put = write(file, text, sizeof text - 1);
-    (void)put; /* a full disk shows soon enough */
+    (void)put; /* ignores failures: a full disk shows soon enough */
     close(file);
 }
 
-/* True if only this user and root can have written the file. A checksum detects corruption, not
- * forgery. */
+/* Returns true if only this user and root can have written the file. A checksum detects
+ * corruption, not forgery. */
 static bool is_own(const struct stat *info)
 {
     return (info->st_uid == geteuid() || info->st_uid == 0) && !(info->st_mode & BY_OTHERS);
@@ -125,7 +125,7 @@ Cache *cache_open(const char *path, uint64_t limit_bytes, const char **why)
     return cache;
 }
 
-/* True for an entry whose last recorded use is so old that it must be updated. */
+/* Returns true for an entry whose last recorded use is so old that it must be updated. */
 static bool is_stale(const struct stat *info)
 {
     struct timespec now;
@@ -218,7 +218,7 @@ static bool write_entry(int above, const char *name, const Header *header, const
     ssize_t put = writev(file, parts, 2);
     bool whole = put == (ssize_t)(sizeof *header + header->size);
     if (put >= 0 && !whole)
-        errno = ENOSPC; /* not everything was written */
+        errno = ENOSPC; /* the disk is full: only part of the entry was written */
     int error = errno;
     bool closed = !close(file);
     errno = whole ? errno : error;
@@ -263,7 +263,8 @@ static void settle(Cache *cache)
     if (!large && now - sums.scanned < CACHE_SCAN_AFTER)
         return;
     if (!cache_trim(cache->folder, cache->limit, &done)) {
-        cache->total = cache_trimmed(cache->limit); /* another process is trimming */
+        /* assumes the size that another process, which is trimming, leaves */
+        cache->total = cache_trimmed(cache->limit);
         return;
     }
     cache_count(cache->folder,

@@ -208,7 +208,7 @@ static void remove_oldest(int folder, Entries *entries, uint64_t limit, CacheTri
     qsort(entries->at, entries->count, sizeof *entries->at, by_use);
     for (size_t i = 0; i < entries->count && done->bytes > cache_trimmed(limit); i++) {
         if (unlinkat(folder, entries->at[i].name, 0) && errno != ENOENT)
-            continue; /* no permission to remove it */
+            continue; /* the user has no permission to remove the entry */
         done->bytes -= entries->at[i].size;
         done->entries--;
         done->removed++;

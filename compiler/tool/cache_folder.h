@@ -6,8 +6,9 @@
 #include <stdbool.h>
 
 enum {
-    CACHE_FOLDERS = 256, /* entries are ab/cdef..., by the key's first two digits */
-    CACHE_NAME = 64,     /* capacity for a name relative to the folder */
+    /* number of folders: entries are ab/cdef..., by the key's first two digits */
+    CACHE_FOLDERS = 256,
+    CACHE_NAME = 64, /* capacity for a name relative to the folder */
     CACHE_FRESH =
         /* Seconds for which an entry counts as recently used: updating its time on each use
          * would cost more than reading. */
@@ -22,12 +23,12 @@ enum {
 #define CACHE_COUNTS(X)                                                                            \
     X(hits)                                                                                        \
     X(misses)                                                                                      \
-    X(damaged) /* invalid entries, which are also misses */                                        \
-    X(removed) /* removed to keep the limit */                                                     \
-    X(failed)  /* blobs that could not be stored */                                                \
-    X(bytes)   /* approximate; exact after each scan of the folder */                              \
+    X(damaged) /* number of invalid entries, which are also misses */                              \
+    X(removed) /* number of entries removed to keep the limit */                                   \
+    X(failed)  /* number of blobs that could not be stored */                                      \
+    X(bytes)   /* approximate size; exact after each scan of the folder */                         \
     X(scanned) /* time of the last scan, seconds since 1970 */                                     \
-    X(limit)   /* limit of the last run that had one */
+    X(limit)   /* size limit of the last run that had one */
 typedef struct {
 #define X(name) uint64_t name;
     CACHE_COUNTS(X)

@@ -29,7 +29,7 @@ static const char *without_here(const char *name)
     return name;
 }
 
-/* True if both programs read the escaped name correctly. */
+/* Returns true if both programs read the escaped name correctly. */
 static bool is_readable(const char *name)
 {
     size_t size = strlen(name);
@@ -43,8 +43,8 @@ static bool is_readable(const char *name)
     return !home && !of_archive;
 }
 
-/* True for a valid target name: `a=b` at the start of a line is a variable, `a%b` a pattern,
- * `.PHONY` a special target. */
+/* Returns true for a valid target name: `a=b` at the start of a line is a variable, `a%b` a
+ * pattern, `.PHONY` a special target. */
 static bool can_be_target(const char *name)
 {
     const char *start = without_here(name);
@@ -52,7 +52,7 @@ static bool can_be_target(const char *name)
            !(start[0] == '.' && text_is_upper(start[1]));
 }
 
-/* True for a valid dependency name: `out: a=b` and `out: a =b` would set a variable. */
+/* Returns true for a valid dependency name: `out: a=b` and `out: a =b` would set a variable. */
 static bool can_be_file(const char *name)
 {
     return is_readable(name) && name[strspn(name, "!+")] != '=';
@@ -60,7 +60,7 @@ static bool can_be_file(const char *name)
 
 static bool can_be_first(const char *name) { return !strchr(name, '='); }
 
-/* True if the name might be a keyword of make, such as `define`. */
+/* Returns true if the name might be a keyword of make, such as `define`. */
 static bool is_word(const char *name)
 {
     while (text_is_lower(*name))

@@ -3,9 +3,9 @@
 #define MATC_LAYOUT_OPTION_H
 #include "compiler/tool/options.h"
 
-/* True if the option's value is a file name. */
+/* Returns true if the option's value is a file name. */
 bool layout_is_file(const char *layout);
-/* True if the value is a file name or `auto`. */
+/* Returns true if the value is a file name or `auto`. */
 bool layout_is_custom(const char *layout);
 /* Returns the layout of --layout, shared by all materials of the command line; also used if
  * --explain names a file. NULL without a fault: a layout of the tables. *fault, from malloc, is

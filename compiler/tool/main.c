@@ -84,7 +84,7 @@ static int use_layout(CommandLine *line)
 {
     char *fault;
     if (line->folder && line->compile.layout && !strcmp(line->compile.layout, "auto"))
-        return EXIT_OK; /* the batch derives it from its materials */
+        return EXIT_OK; /* the batch derives the layout from its materials */
     MatcLayout *layout = layout_open(line, &fault);
     if (fault)
         main_fault(line, fault);
@@ -159,14 +159,14 @@ static int print_list(CommandLine *line)
                   options_fault_list(&line->words, kind));
 }
 
-/* Returns the argument of `--list=` or `--schema=`, or NULL. */
+/* Returns the argument of `--list=` or `--schema=`; NULL: none. */
 static const char *word_asked(const CommandLine *line)
 {
     const char *given = line->schema ? line->schema : line->list;
     return given && *given && strcmp(given, OPTIONS_SCHEMA) ? given : NULL;
 }
 
-/* True for queries about documents: --list=FILE, --list FILE..., --explain NAME FILE, and
+/* Returns true for queries about documents: --list=FILE, --list FILE..., --explain NAME FILE, and
  * --schema likewise. */
 static bool asks_of_documents(const CommandLine *line)
 {
@@ -309,7 +309,7 @@ int main(int argc, char **argv)
     else if ((status = check_usage(&line)) == EXIT_OK)
         status = line.watch ? run_watching(&line, argc, argv) : run(&line, &result);
     options_free(&line);
-    /* otherwise the failure may have been reported */
+    /* another status means that the failure may have been reported */
     if ((fflush(stdout) || ferror(stdout)) && status == EXIT_OK)
         status = main_complain(&line, "standard output", text_error(errno));
     return status < BY_SIGNAL && status & USAGE ? USAGE : status;

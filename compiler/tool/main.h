@@ -8,7 +8,7 @@ enum {
     EXIT_OK = 0,
     EXIT_ERROR = 1,
     USAGE = 2,
-    BY_SIGNAL = 128 /* plus the signal's number */
+    BY_SIGNAL = 128 /* exit status of a run ended by a signal, plus the signal's number */
 };
 
 /* Prints a message to stderr, as text or JSON. `what`: a file or an option; may be NULL. */

@@ -25,7 +25,7 @@ static int say(const CommandLine *line, const char *path, char *text, const char
     return EXIT_OK;
 }
 
-/* True if a name is in matc's own tables. */
+/* Returns true if a name is in matc's own tables. */
 static bool main_is_own(const char *name)
 {
     char *text = matc_explain(name);

@@ -79,7 +79,7 @@ static void put_files(Text *out, const Batch *b, const char *name)
     for (int emit = 0; emit < EMIT_COUNT; emit++) {
         int as = emit == EMIT_glsl && spirv ? EMIT_spirv : emit;
         if (emit == EMIT_glsl && spirv && b->line->emit[EMIT_spirv])
-            continue; /* both outputs are the same file */
+            continue; /* two outputs were written to the same file */
         if (b->line->emit[emit] && file_keys[emit])
             put_file_name(out, file_keys[as], name, options_emit_suffix(&b->options, emit));
     }
@@ -199,7 +199,7 @@ void manifest_put(const Batch *b, Bytes *to)
     arena_free(&arena);
 }
 
-/* True for a file name that matc could have written. */
+/* Returns true for a file name that matc could have written. */
 static bool is_output(const char *name)
 {
     size_t size = strlen(name);

@@ -50,7 +50,7 @@ static const char *gl_name(const void *user, int i)
 static const char *set_choice(void *to, const Option *option, const char *value)
 {
     CommandLine *line = to;
-    choice_set(&line->compile, option->name + 2, value); /* validated by options_check */
+    choice_set(&line->compile, option->name + 2, value); /* options_check validates the choice */
     return NULL;
 }
 
@@ -147,7 +147,7 @@ static void put_name(Text *out, bool first, const char *name, bool is_default)
     text_format(out, "%s%s%s", first ? "" : ", ", name, is_default ? " (default)" : "");
 }
 
-/* Returns a target other than the default one whose default is this layout, or NULL. */
+/* Returns a target other than the default one whose default is this layout; NULL: none. */
 static const char *default_of(int layout)
 {
     for (int i = 0; i < TARGET_COUNT; i++)

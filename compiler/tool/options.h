@@ -38,14 +38,14 @@ extern const EmitRow emit_table[EMIT_COUNT];
 
 typedef struct {
     MatcOptions compile;
-    Arena words;         /* owns strings derived from arguments, and messages about them */
+    Arena words;         /* arena of strings derived from arguments, and of messages about them */
     const char **inputs; /* documents from the arguments and their lists */
     int input_count;
     const char **lists; /* files with lists of inputs, "@list.txt" */
     char **list_texts;  /* buffers of the inputs from lists */
     int list_count;
     const char *cache;              /* --cache, or MATC_CACHE */
-    bool cache_named;               /* given by --cache */
+    bool cache_named;               /* --cache is given */
     int cache_limit;                /* --cache-limit, in MiB; 0: the default */
     bool cache_stats;               /* --cache-stats */
     const char *passes[MAX_PASSES]; /* --pass, a list with -d */
@@ -58,7 +58,7 @@ typedef struct {
     const char *target;      /* -MT: target in the depfile */
     bool depend;             /* -MD: write a depfile */
     bool emit[EMIT_COUNT];   /* --emit: requested outputs */
-    bool emit_named;         /* given by --emit; otherwise the default */
+    bool emit_named;         /* --emit is given; otherwise `emit` has the default */
     const char *material;    /* --material: name of the material */
     const char *eval;        /* --eval: point to evaluate */
     const char *explain;     /* --explain: name to explain */

@@ -74,7 +74,7 @@ static const char *check_names(CommandLine *line)
         NameChoice values;
         options.pass = line->passes[i];
         if (layout_is_custom(options.layout))
-            options.layout = NULL; /* checked by layout_open */
+            options.layout = NULL; /* layout_open() checks the layout */
         const char *name = matc_options_fault(&options),
                    *value = name ? choice_value(&options, name) : NULL;
         if (!name)

@@ -35,7 +35,7 @@ static int emit_of_suffix(const char *name, bool *spirv)
     return found == EMIT_spirv ? EMIT_glsl : found;
 }
 
-/* True if an output is a program in GLSL or SPIR-V, depending on the target. */
+/* Returns true if an output is a program in GLSL or SPIR-V, depending on the target. */
 static bool is_program(int emit)
 {
     return emit == EMIT_glsl || emit == EMIT_spirv || emit == EMIT_unpack ||

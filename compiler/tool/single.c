@@ -26,7 +26,7 @@ static const char *put_textures(Outputs *files, const CommandLine *line, MatcPro
     return why;
 }
 
-/* Whether, with --watch, the file already has these bytes. */
+/* Returns true if --watch is given and the file already has these bytes. */
 static bool is_written(const CommandLine *line, const char *to, const char *bytes, size_t size)
 {
     size_t old_size;

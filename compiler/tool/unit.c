@@ -177,7 +177,7 @@ void unit_add_files(Unit *unit, Key members, Key files)
         return;
     if (!unit->files)
         unit->files = sets_resize(NULL, MAX_UNIT_FILES * sizeof *unit->files);
-    if (unit->file_count == MAX_UNIT_FILES) /* drops the oldest */
+    if (unit->file_count == MAX_UNIT_FILES) /* drops the oldest cached program */
         unit->file_count--;
     memmove(unit->files + 1, unit->files, (size_t)unit->file_count++ * sizeof *unit->files);
     unit->files[0] = (UnitFiles){members, files};

@@ -9,7 +9,7 @@
 /* Data about a written program, in addition to its files. */
 typedef struct {
     char *json;   /* members of the manifest's program: constants, tables; "" for none */
-    int *members; /* per index in the block: index of the unit's number */
+    int *members; /* per member of the block: index of the unit's number */
     int member_count;
 } Written;
 
@@ -22,22 +22,24 @@ typedef struct {
 enum { UNIT_WORDS = 4, MAX_UNIT_FILES = 4 /* max cached programs, newest first */ };
 
 typedef struct Unit {
-    Key key, shape;      /* keys of the program: matc_key and matc_shape */
-    int pass;            /* pass of the program: depth for an opaque material's shadow */
-    int layout_case;     /* layout case that it writes; -1: none */
-    int count;           /* numbers that may be in a uniform block: places, or members already */
-    uint8_t *components; /* components of each: 1 to 4 floats; plus UNIT_WORDS for words */
-    uint32_t *bits;      /* all components in sequence: bits of floats, or words */
+    Key key, shape;  /* keys of the program: matc_key and matc_shape */
+    int pass;        /* pass of the program: depth for an opaque material's shadow */
+    int layout_case; /* layout case that the program writes; -1: none */
+    /* number of values that may be in a uniform block: places, or members already */
+    int count;
+    uint8_t *components; /* components of each value: 1 to 4 floats; plus UNIT_WORDS for words */
+    uint32_t *bits;      /* all components in sequence: bits of floats, or plain words */
     int bit_count;
     /* Members of the manifest's JSON: uniforms and textures, each preceded by ", ". */
     char *own;
     UnitFiles *files; /* cached programs; NULL: none */
     int file_count;
-    bool changed;                    /* the cache entry does not list the last of `files` */
-    Written *written;                /* NULL: its program was not written for this material */
+    bool changed; /* the cache entry does not list the last of `files` */
+    /* data of the written program; NULL: not written for this material */
+    Written *written;
     struct Unit *next;               /* next unit of the program, in the order of the inputs */
     int program;                     /* index of the program, set last */
-    int document, material, request; /* request: index of the requested pass */
+    int document, material, request; /* `request` is the index of the requested pass */
 } Unit;
 
 /* Returns the number of the pass whose program it is. */
@@ -45,7 +47,7 @@ int unit_pass(const MatcProgram *program);
 /* Copies from a program what outlives it. Buffered: the numbers are the members of its uniform
  * block; otherwise its places. */
 void unit_fill(Unit *unit, MatcProgram *program, bool buffered, const char *textures);
-/* Returns data about the written program. Buffered: as above. */
+/* Returns data about the written program. `buffered` as in unit_fill(). */
 Written *unit_written(MatcProgram *program, bool buffered);
 /* Return a number's component count, and whether it consists of words. */
 static inline int unit_components(const Unit *unit, int number)
@@ -66,7 +68,7 @@ int *unit_offsets(const Unit *unit);
 const Key *unit_find_files(const Unit *unit, Key members);
 void unit_add_files(Unit *unit, Key members, Key files);
 
-/* Serialization; loading returns false for invalid bytes. */
+/* Serialize a unit; loading returns false for invalid bytes. */
 void unit_store(Bytes *to, const Unit *unit);
 bool unit_load(BytesReader *from, Unit *unit);
 void written_store(Bytes *to, const Written *written);

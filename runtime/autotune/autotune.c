@@ -14,7 +14,7 @@ typedef struct {
     Errors errors;
     Meter *meter;
     const AutotuneRequest *request;
-    Material *materials; /* of pass gbuffer, parallel to list->at */
+    Material *materials; /* materials of pass gbuffer, parallel to list->at */
     double start;
 } Work;
 

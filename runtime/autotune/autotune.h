@@ -10,24 +10,23 @@
  * range: the absolute difference for a color, the relative one for an exponent. NaN counts as
  * infinite error. */
 typedef struct {
-    double maximum, rms; /* over all components of all points; NaN: not measured */
+    double maximum, rms; /* errors over all components of all points; NaN: not measured */
 } Distance;
 
 typedef struct {
     Variant variant;
-    /* per pixel of pass gbuffer, minus the time of a constant color, at least 0 */
+    /* time per pixel of pass gbuffer, minus the time of a constant color, at least 0 */
     double nanoseconds;
-    /* after packing into the layout and unpacking, against the reference; NaN: slot not in
-     * the layout */
+    /* error after packing into the layout and unpacking; NaN: slot not in the layout */
     Distance packed[SLOT_COUNT];
-    Distance computed[SLOT_COUNT]; /* pass value in floats, against the reference */
+    Distance computed[SLOT_COUNT]; /* error of pass value in floats, against the reference */
     /* pass value sampled at pixel centers, against the supersampled picture; NaN for normals */
     Distance aliased[SLOT_COUNT];
     double error;     /* max of packed[].maximum */
     double rms;       /* max of packed[].rms */
     double aliasing;  /* max of aliased[].rms */
-    bool front;       /* on the Pareto front of time and `error` */
-    bool alias_front; /* on the Pareto front of time and `aliasing` */
+    bool front;       /* the variant is on the Pareto front of time and `error` */
+    bool alias_front; /* the variant is on the Pareto front of time and `aliasing` */
 } Measured;
 
 typedef struct {
@@ -48,8 +47,8 @@ typedef struct {
     double range;               /* coordinates of the points are in [-range, range] */
     /* Units of u and v per length unit of the plane that is drawn for aliasing and timing; 0: 1. */
     double scale;
-    double seconds; /* approximate time budget */
-    bool aliasing;  /* measure aliasing, too */
+    double seconds; /* approximate time budget in seconds */
+    bool aliasing;  /* also measure aliasing */
     void (*progress)(void *user, int done, int total);
     void *user;
 } AutotuneRequest;

@@ -95,7 +95,7 @@ static const float *mean_of(Errors *e, const Variant *variant, int slot)
     plain.choice[AXIS_noise] = variant->choice[AXIS_noise];
     plain.choice[AXIS_derivatives] = variant->choice[AXIS_derivatives];
     plain.choice[AXIS_aa] = CHOICE_aa_none;
-    /* exact: the reference must not round coordinates */
+    /* exact coordinates: the reference must not round */
     plain.choice[AXIS_coordinates] = CHOICE_coordinates_long;
     MatcOptions options = variant_options(&plain, e->request->options);
     options.pass = "value";

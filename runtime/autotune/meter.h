@@ -8,9 +8,9 @@
 typedef struct {
     GlContext *gl;
     Store *store;
-    Framebuffer numbers;              /* RGBA32F, one pixel per point */
+    Framebuffer numbers;              /* RGBA32F target with one pixel per point */
     Framebuffer packed[LAYOUT_COUNT]; /* G-buffers of the points by layout, created on first use */
-    Reader readers[LAYOUT_COUNT];     /* unpack `packed` */
+    Reader readers[LAYOUT_COUNT];     /* programs that unpack `packed` */
     /* the driver or the GL layer lacks the layout's render targets */
     bool refused[LAYOUT_COUNT];
     char error[4096];

@@ -201,7 +201,7 @@ static bool refuse(const MeasuredList *list, int best, double most, const Varian
                         name, list->at[best].error, worst_slot(&list->at[best]));
 }
 
-/* Sets the choices of the open axes in *options. */
+/* Sets the choices of the varied axes in the options. */
 static void take(const Variant *variant, const VariantAxes *open, MatcOptions *options)
 {
     if (open->layout)

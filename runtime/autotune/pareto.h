@@ -5,12 +5,12 @@
 #include "runtime/autotune/autotune.h"
 
 typedef struct {
-    const MatcDocument *document; /* read with `pixels` */
+    const MatcDocument *document; /* document read with the option `pixels` */
     int material;
     GlKind gl;
     double range;         /* relevant coordinates are in [-range, range] */
-    const char *basename; /* of the output files; NULL: no files */
-    /* called per measured program; or NULL */
+    const char *basename; /* base name of the output files; NULL: no files */
+    /* called per measured program; NULL: no calls */
     void (*progress)(void *user, int done, int total);
     void *user;
 } ParetoSubject;

@@ -51,7 +51,7 @@ typedef struct {
     FILE *out;
     Box field; /* data area of the panel */
     Axis x, y;
-    Box taken[LABELS]; /* occupied by labels and points */
+    Box taken[LABELS]; /* boxes occupied by labels and points */
     int taken_count;
 } Canvas;
 

@@ -8,10 +8,11 @@
 enum { PLOT_LINES = 5 };
 
 typedef struct {
-    double x, y;       /* values <= 0 are drawn on the axis; NaN: not drawn */
-    bool front;        /* on the Pareto front: joined to the line and labeled */
-    bool named;        /* labeled even if not on the front; for a line: listed in the legend */
-    const char *label; /* NULL or "": no label */
+    double x, y; /* values <= 0 are drawn on the axis; NaN: not drawn */
+    bool front;  /* the point is on the Pareto front: joined to the line and labeled */
+    /* the point is labeled even if not on the front; a line is listed in the legend */
+    bool named;
+    const char *label; /* text at the point; NULL or "": no label */
     /* Line number from 1 to PLOT_LINES: points of the same number are joined in the order of x.
      * 0: no line. */
     int line;
@@ -24,7 +25,7 @@ typedef struct {
 } PlotPanel;
 
 typedef struct {
-    const char *title, *note; /* note: subtitle, or NULL */
+    const char *title, *note; /* `note` is the subtitle; NULL: none */
     const PlotPanel *panels;
     int count, columns; /* number of panels, and of columns in the grid */
 } Plot;

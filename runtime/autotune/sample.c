@@ -74,7 +74,7 @@ void sample_surface(const FieldVertex *point, Surface *surface)
  * plane. The clip coordinate w is the depth, so interpolation is perspective-correct. */
 static void set_corner(FieldVertex *v, const PlaneView *view, double x, double y, double pitch)
 {
-    const double half = 0.5; /* tangent of half the vertical angle */
+    const double half = 0.5; /* tangent of half the vertical field of view */
     double c = cos(view->yaw), s = sin(view->yaw), right = x * half * view->aspect;
     double forward = cos(pitch) + y * half * sin(pitch), up = -sin(pitch) + y * half * cos(pitch),
            depth = -1 / up;

@@ -15,10 +15,10 @@ void sample_surface(const FieldVertex *point, Surface *surface);
 
 /* View of the plane z = 0 from one unit above. The horizon is the picture's upper edge. */
 typedef struct {
-    double yaw;    /* radians from the x axis */
+    double yaw;    /* angle from the x axis in radians */
     double scale;  /* units of u and v per length unit */
-    double aspect; /* width over height */
-    int height;    /* of the picture, in pixels */
+    double aspect; /* aspect ratio of the picture: width over height */
+    int height;    /* height of the picture in pixels */
     /* Offset added to x and y, and times `scale` to u and v: moves the plane away from the
      * origin. */
     double shift[2];

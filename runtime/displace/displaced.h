@@ -14,7 +14,7 @@ typedef struct {
     int mesh;
     bool volume; /* the material replaces the surface by a volume */
     const struct DisplacedMethod *method;
-    void *own;          /* state of the method */
+    void *own;          /* private state of the method */
     Material material;  /* program that writes displaced points */
     bool written, anew; /* triangles exist; the last displaced_write() changed them */
     /* parts of each patch's edges as written, from scene_patches_levels() */
@@ -32,7 +32,7 @@ typedef struct {
 
 /* The view for which triangles are written. */
 typedef struct {
-    const Scene *scene; /* camera and lights are read, too */
+    const Scene *scene; /* scene whose camera and lights are read */
     int size[2];        /* width and height of the picture in pixels */
     /* Bounding box of all shadow receivers; low >= high: unbounded. */
     double low[3], high[3];

@@ -12,7 +12,7 @@ typedef struct {
     const Scene *scene;
     const ScenePatches *patches;
     MatcProgram *program; /* the material's program */
-    const char *displace; /* text of its matc_displaced() */
+    const char *displace; /* text of the function matc_displaced() */
 } DisplacedMaking;
 
 typedef struct DisplacedMethod {

@@ -16,10 +16,11 @@
 // EXACT_OFF times the greatest coordinate: 16 units in a float's last place. Closer occluders are
 // treated as touching.
 #include "exact_lists.layout.def"
-const float EXACT_OFF = 9.5367e-7; // 2^-20, relative to the greatest coordinate
+const float EXACT_OFF = 9.5367e-7; // tolerance: 2^-20, relative to the greatest coordinate
 
 layout(std430, binding = 6) readonly buffer ExactTriangles {
-    vec4 exact_corners[]; // three each; w: the triangle's transmittance of red, green, blue
+    // three texels per triangle; w: the triangle's transmittance of red, green, blue
+    vec4 exact_corners[];
 };
 layout(std430, binding = 7) readonly buffer ExactLists {
     uint exact_words[];
@@ -88,7 +89,7 @@ bool exactMeets(ExactRay ray, uint triangle, bool endless)
     if (min(min(areas.x, areas.y), areas.z) < 0.0 && max(max(areas.x, areas.y), areas.z) > 0.0)
         return false;
     float area = areas.x + areas.y + areas.z;
-    if (area == 0.0) return false; // edge-on
+    if (area == 0.0) return false; // the triangle is edge-on
     float along = dot(areas, vec3(seen[0].z, seen[1].z, seen[2].z)) / area;
     return along > 0.0 && (endless || along < 1.0) && exactOff(ray.from, a, b, c);
 }

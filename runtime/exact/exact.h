@@ -8,8 +8,9 @@
 /* Exact shadows' state for a scene. */
 typedef struct {
     ExactTriangles triangles;
-    ExactCover cover;       /* the lights' lists; its programs live as long as the renderer */
-    GLuint corners, firsts; /* buffers: triangles; number of each object's first triangle, from 1 */
+    ExactCover cover; /* the lights' lists; its programs live as long as the renderer */
+    /* `corners` holds the triangles; `firsts` the number of each object's first triangle, from 1 */
+    GLuint corners, firsts;
 } ExactShadows;
 
 static inline ExactShadows *exact_state(const Renderer *renderer)

@@ -6,7 +6,8 @@
 
 enum {
     BLOCK_WORDS = 2,
-    MANY_BLOCKS = (1 << 21) - 4, /* with the header 16 MiB, which every driver supports */
+    /* 16 MiB together with the header, a size that every driver supports */
+    MANY_BLOCKS = (1 << 21) - 4,
     WORK_BINDING = 5,
     TRIANGLES_BINDING,
     LISTS_BINDING,

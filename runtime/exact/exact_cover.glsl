@@ -26,7 +26,7 @@ layout(local_size_x = 64) in;
 const int ROWS = 16; // rows of a block
 const int FEW = 64; // max cells that one thread handles
 const uint MANY_BLOCKS = (1u << 21) - 4u; // further blocks are not counted
-const double SPREAD = 1.0lf / 64.0lf; // in cells
+const double SPREAD = 1.0lf / 64.0lf; // enlargement of a cell on each side, in cells
 const double ROUNDING = 1.0lf / 17592186044416.0lf; // relative rounding error, 2^-44
 const double FAR = 1e300lf;
 

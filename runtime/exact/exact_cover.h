@@ -12,7 +12,7 @@ typedef struct {
     Material cover, begins;
     /* Buffers: headers, cells, lists; counters of the programs, and blocks of rows. */
     GLuint lists, work;
-    size_t capacity, most; /* words of the buffer of lists, and their limit */
+    size_t capacity, most; /* words of the buffer of lists, and max words */
     size_t blocks;         /* capacity of `work` */
     size_t words;          /* words that the lists use */
     /* lights with headers; number of times that cells were doubled in width */

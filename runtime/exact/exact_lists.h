@@ -17,7 +17,7 @@ enum {
 };
 
 typedef struct {
-    uint32_t *heads; /* headers, one after the other */
+    uint32_t *heads; /* headers of the lights, in sequence */
     int light_count; /* number of lights with a header, in the order of the scene */
     size_t cells;    /* cells of all views: their words follow the headers */
 } ExactLists;

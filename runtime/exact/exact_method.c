@@ -10,7 +10,7 @@ enum {
     FIRSTS_BINDING = 5,
     TRIANGLES_BINDING,
     LISTS_BINDING
-}; /* bindings of exact_triangle_id.glsl and exact.glsl */
+}; /* bindings that exact_triangle_id.glsl and exact.glsl use */
 
 static void seen_bind(const Renderer *renderer)
 {

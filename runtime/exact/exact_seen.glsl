@@ -1,6 +1,6 @@
 // The point of the opaque surface at a pixel, as exact as its triangle's corners. The depth buffer
 // is too inexact, since a rasterizer rounds corners to 1/256 of a pixel.
-vec3 exact_point; // the lit pixel's point
+vec3 exact_point; // position of the lit pixel
 
 // Finds the intersection of a ray with a triangle: a weighted mean of the corners, so that the
 // point is on the triangle even at grazing angles.

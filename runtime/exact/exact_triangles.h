@@ -11,7 +11,7 @@ typedef struct {
 
 typedef struct {
     int object;       /* index in Scene.objects */
-    int first, count; /* range of its triangles */
+    int first, count; /* range of the object's triangles */
     ExactBox box;     /* bounding box */
 } ExactObject;
 
@@ -21,7 +21,7 @@ typedef struct {
     double origin[3];
     double reach; /* the greatest absolute coordinate relative to the origin */
     int count;
-    ExactObject *objects; /* in the order of GpuScene.places: opaque objects first */
+    ExactObject *objects; /* objects in the order of GpuScene.places: opaque ones first */
     int object_count, opaque_count;
 } ExactTriangles;
 

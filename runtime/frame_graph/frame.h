@@ -33,14 +33,17 @@ typedef struct {
     FrameLookHow scene, shadows;
 } FrameLook;
 
-typedef struct FrameLight FrameLight;               /* light/light_state.h */
-typedef struct ShadowMaps ShadowMaps;               /* shadow/shadow_state.h */
-typedef struct FrameVoxels FrameVoxels;             /* indirect/voxels/voxels.h */
-typedef struct FrameRadiance FrameRadiance;         /* indirect/radiance/radiance.h */
-typedef struct FrameIndirect FrameIndirect;         /* indirect/settings/indirect_state.h */
-typedef struct FramePositions FramePositions;       /* indirect/screen/pass_positions.h */
-typedef struct FramePost FramePost;                 /* post/post_state.h */
-typedef struct FrameTransparency FrameTransparency; /* transparency/transparency_state.h */
+typedef struct FrameLight FrameLight;       /* defined in light/light_state.h */
+typedef struct ShadowMaps ShadowMaps;       /* defined in shadow/shadow_state.h */
+typedef struct FrameVoxels FrameVoxels;     /* defined in indirect/voxels/voxels.h */
+typedef struct FrameRadiance FrameRadiance; /* defined in indirect/radiance/radiance.h */
+/* defined in indirect/settings/indirect_state.h */
+typedef struct FrameIndirect FrameIndirect;
+/* defined in indirect/screen/pass_positions.h */
+typedef struct FramePositions FramePositions;
+typedef struct FramePost FramePost; /* defined in post/post_state.h */
+/* defined in transparency/transparency_state.h */
+typedef struct FrameTransparency FrameTransparency;
 
 enum { FRAME_RETIRED_MAX = 32 };
 
@@ -51,23 +54,23 @@ struct Renderer {
     RendererOptions options;
     const SurfaceModel *surface;
     char surface_missing[SURFACE_MODEL_DEFINITIONS];
-    const FrameLook *look; /* the debug view in use, or NULL */
+    const FrameLook *look; /* the debug view in use; NULL: none */
     const Scene *scene;
     RendererParam *params; /* parameters set since the scene was loaded */
     int param_count;
     RendererLight *kept_lights; /* the lights at the last rebuild: renderer_lights.c */
     int kept_light_count;
-    int samples;  /* per pixel along each axis; the sizes below count samples */
+    int samples;  /* samples per pixel along each axis; the sizes below count samples */
     int size[2];  /* size of the targets: that of a tile */
     int whole[2]; /* size of the whole picture */
     int at[2];    /* lower left corner of the targets in the picture */
-    int margin;   /* guard band around a tile */
+    int margin;   /* width of the guard band around a tile */
     bool compute, zero_to_one;
     const TriangleIdText
-        *triangle_id_text; /* outputs of surface programs that identify triangles; or NULL */
+        *triangle_id_text; /* outputs of surface programs that identify triangles; NULL: none */
     /* a pass needs the triangles that are drawn, even tessellated ones */
     bool triangles;
-    bool beside; /* shadows need objects outside the view, too */
+    bool beside; /* shadows also need objects outside the view */
     Transparency transparency;
     bool tiled; /* shadow lists are tiled: shadow_tables.c */
     MaterialSet set;
@@ -87,7 +90,8 @@ struct Renderer {
     FrameTransparency *transparent;
     /* The scene has changed since passes last counted their work: FrameCount. */
     bool uncounted;
-    ScreenPass retired[FRAME_RETIRED_MAX]; /* of the previous scene, for frame_retire() */
+    /* passes of the previous scene, until frame_retired_delete() */
+    ScreenPass retired[FRAME_RETIRED_MAX];
     int retired_count;
     Reader reader; /* reads the slot that the view shows */
     bool has_reader;

@@ -50,7 +50,8 @@ typedef struct {
 
     void (*place)(Renderer *renderer);                  /* the tile has moved within the picture */
     bool (*changed)(Renderer *renderer, unsigned what); /* `what`: a set of FrameChange */
-    bool (*moved)(Renderer *renderer, int first, int count); /* these objects have moved */
+    /* Updates the pass after these objects have moved. */
+    bool (*moved)(Renderer *renderer, int first, int count);
     /* Called when memory runs out: makes a rebuild take less memory. */
     bool (*fall_back)(Renderer *renderer);
     void (*forget)(Renderer *renderer); /* frees all resources of the scene */

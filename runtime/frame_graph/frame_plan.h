@@ -21,19 +21,19 @@ enum {
 typedef struct {
     const char *name;
     unsigned reads;
-    unsigned fills;   /* overwrites every pixel */
-    unsigned changes; /* writes some pixels and keeps the others */
+    unsigned fills;   /* set of targets of which the pass overwrites every pixel */
+    unsigned changes; /* set of targets of which the pass writes some pixels and keeps the others */
     /* Inputs that are read at the written pixel only, so input and output may share memory. */
     unsigned own;
 } FramePlanPass;
 
 typedef struct {
-    int count;                        /* number of textures */
+    int count;                        /* number of textures of the target */
     int classes[FRAME_PLAN_TEXTURES]; /* textures share memory only within a class */
 } FramePlanTarget;
 
 typedef struct {
-    const FramePlanPass *passes; /* in execution order */
+    const FramePlanPass *passes; /* passes in execution order */
     int pass_count;
     unsigned allowed; /* passes that have work in this scene */
     unsigned wanted;  /* targets that are read after the frame */
@@ -53,7 +53,7 @@ typedef struct {
     unsigned there; /* set of targets that exist */
     /* Piece of memory of each target's textures; -1 if the texture is missing. */
     int memory[FRAME_PLAN_MAX][FRAME_PLAN_TEXTURES];
-    int memory_class[FRAME_PLAN_PIECES]; /* class of each piece */
+    int memory_class[FRAME_PLAN_PIECES]; /* memory class of each piece */
     int memory_count;
 } FramePlan;
 

@@ -112,7 +112,7 @@ GLuint frame_texture(const Renderer *renderer, FrameTarget target, int texture)
     return renderer->targets.textures[target][texture];
 }
 
-/* Color target of each framebuffer, and its depth target or -1. */
+/* Color target of each framebuffer, and its depth target; -1: none. */
 static const struct {
     FrameTarget color;
     int depth;
@@ -157,7 +157,7 @@ bool frame_make_draw(Renderer *renderer, FrameDraw draw)
                             deep};
     if (!(there >> color & 1) || (deep && !(there >> depth & 1)) ||
         (draw == FRAME_DRAW_triangle_id && !(there >> FRAME_TARGET_triangle_id & 1)))
-        return true; /* no pass draws there */
+        return true; /* no pass draws into the target */
     add_colors(renderer, color, &spec, &textures);
     if (draw == FRAME_DRAW_triangle_id)
         add_colors(renderer, FRAME_TARGET_triangle_id, &spec, &textures);

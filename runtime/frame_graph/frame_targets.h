@@ -12,22 +12,22 @@ typedef enum {
     FRAME_TARGET_traced,
     FRAME_TARGET_shadow,      /* shadow maps, of their own sizes: pass_shadow.c owns them */
     FRAME_TARGET_voxels,      /* voxel grid, of its own size: pass_voxels.c owns it */
-    FRAME_TARGET_cubes,       /* view of the voxels */
-    FRAME_TARGET_positions,   /* view of the depth buffer as a mesh */
+    FRAME_TARGET_cubes,       /* picture of the voxels, a debug view */
+    FRAME_TARGET_positions,   /* picture of the depth buffer as a mesh, a debug view */
     FRAME_TARGET_radiance,    /* radiance cache, in buffers: pass_radiance.c owns them */
     FRAME_TARGET_triangle_id, /* triangle ids, or slopes of triangles */
     FRAME_TARGET_lists,       /* per-pixel linked lists, in a buffer */
     FRAME_TARGET_far,         /* far-field light in a buffer: sums of the pass light_cluster */
     FRAME_TARGET_light,
-    FRAME_TARGET_rays,     /* as `ao`, at the resolution of the rays */
+    FRAME_TARGET_rays,     /* ambient occlusion at the resolution of the rays */
     FRAME_TARGET_temporal, /* temporal accumulation: pass_temporal.c owns its textures */
-    FRAME_TARGET_denoise,  /* denoised along rows */
+    FRAME_TARGET_denoise,  /* results of the rays, denoised along rows */
     FRAME_TARGET_ao,       /* ambient occlusion and indirect light */
     FRAME_TARGET_edge,
     FRAME_TARGET_mask,  /* a bit per light with shadow volumes: set where it is occluded */
     FRAME_TARGET_layer, /* G-buffer of one layer of transparent fragments */
     FRAME_TARGET_layer_depth,
-    FRAME_TARGET_layer_keys, /* sort keys of two layers */
+    FRAME_TARGET_layer_keys, /* depth peeling: sort keys of two layers */
     FRAME_TARGET_tools,      /* colors of the tools, dimmed by the surfaces before them */
     FRAME_TARGET_final,
     FRAME_TARGET_COUNT
@@ -37,8 +37,8 @@ typedef enum {
 typedef enum {
     FRAME_DRAW_surface,     /* G-buffer and depth */
     FRAME_DRAW_triangle_id, /* G-buffer, depth and triangle ids */
-    FRAME_DRAW_traced,      /* ray-marched hits and depth */
-    FRAME_DRAW_sky,         /* light and depth */
+    FRAME_DRAW_traced,      /* framebuffer of ray-marched hits and depth */
+    FRAME_DRAW_sky,         /* framebuffer of light and depth */
     FRAME_DRAW_cubes,
     FRAME_DRAW_positions,
     FRAME_DRAW_light,
@@ -46,7 +46,7 @@ typedef enum {
     FRAME_DRAW_denoise,
     FRAME_DRAW_ao,
     FRAME_DRAW_edge,
-    FRAME_DRAW_mask, /* with depth and stencil */
+    FRAME_DRAW_mask, /* framebuffer with depth and stencil */
     FRAME_DRAW_final,
     FRAME_DRAW_COUNT
 } FrameDraw;
@@ -60,7 +60,8 @@ typedef struct {
 
 /* Formats and resolution of a target's textures. */
 typedef struct {
-    const char *formats[FRAME_PLAN_TEXTURES + 1]; /* "RGBA16F"; NULL ends the list */
+    /* texture formats such as "RGBA16F"; NULL ends the list */
+    const char *formats[FRAME_PLAN_TEXTURES + 1];
     /* Resolution divisor per axis. */
     int coarse;
 } FrameForm;
@@ -77,12 +78,13 @@ typedef struct {
 /* Returns the format of a target's texture, such as "RGBA16F"; NULL if the target has no texture
  * of that number. */
 const char *frame_format(const Renderer *renderer, FrameTarget target, int texture);
-int frame_bytes(const Renderer *renderer, FrameTarget target); /* per pixel */
-/* Size of the target's textures along an axis, in texels. */
+/* Returns the bytes per pixel of a target. */
+int frame_bytes(const Renderer *renderer, FrameTarget target);
+/* Returns the size of the target's textures along an axis, in texels. */
 int frame_edge(const Renderer *renderer, FrameTarget target, int axis);
-/* Bytes per pixel of the target that lie in memory of earlier targets. */
+/* Returns the bytes per pixel of the target that lie in memory of earlier targets. */
 int frame_shared_bytes(const Renderer *renderer, FrameTarget target);
-/* Bytes per pixel of all targets, shared memory counted once. */
+/* Returns the bytes per pixel of all targets, shared memory counted once. */
 int frame_plan_bytes(const Renderer *renderer);
 /* Returns the target's textures and their memory classes for frame_plan(). */
 FramePlanTarget frame_plan_target(const Renderer *renderer, FrameTarget target);

@@ -17,8 +17,8 @@ enum {
 };
 
 typedef struct {
-    /* How programs compute. A NULL layout selects the smallest that holds the scene's materials;
-     * normals are always stored in eye space. Copied. */
+    /* Compile options of all programs. A NULL layout selects the smallest that holds the scene's
+     * materials; normals are always stored in eye space. Copied. */
     const MatcOptions *compile;
     /* The result to read: "final", the picture (NULL); "light"; "depth"; or a slot such as
      * "normal". "shadow" draws only shadow maps (renderer_read_map). "wireframe" is the picture
@@ -26,13 +26,13 @@ typedef struct {
      * them to the picture; "wireframes" draws both as lines; "volumeAlone" and
      * "volumeWireframeAlone" omit the objects. */
     const char *view;
-    int width, height; /* of the picture; 0: the scene's size */
-    int samples;       /* n: a pixel is the mean of n x n samples, taken in linear light; 0: 1 */
+    int width, height; /* size of the picture; 0: the scene's size */
+    int samples;       /* n: each pixel is the mean of n x n samples, taken in linear light; 0: 1 */
     /* light is stored as 32-bit floats, the picture with 16 bits per component */
     bool deep;
     /* The picture is linear radiance, without exposure, tone mapping or an upper limit. */
     bool linear;
-    RendererEdges edges; /* of the picture; coverage needs OpenGL 4.3 */
+    RendererEdges edges; /* antialiasing of the picture; coverage needs OpenGL 4.3 */
     /* Max bytes of targets; 0: RENDERER_MEMORY. A picture that needs more is drawn in tiles. */
     size_t memory;
     int tile[2];     /* max size of a tile in pixels; 0: what fits into `memory` */
@@ -51,7 +51,7 @@ typedef struct {
     bool opaque;
     /* Full-screen passes are fragment programs even if compute programs are supported. */
     bool fragment;
-    const SurfaceModel *surface; /* BRDF of all materials; NULL: the layout's */
+    const SurfaceModel *surface; /* BRDF of all materials; NULL: that of the layout */
     bool unculled;               /* disables frustum culling: for tests */
 } RendererOptions;
 

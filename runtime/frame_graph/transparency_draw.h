@@ -10,7 +10,7 @@ bool transparency_check(GlContext *gl, const RendererOptions *options);
  * lacks them. */
 Transparency transparency_first(const Renderer *renderer);
 bool transparency_has_lists(const GlContext *gl);
-/* Max bytes of a buffer of fragments. */
+/* Returns the max bytes of a buffer of fragments. */
 size_t transparency_most_bytes(const Renderer *renderer);
 /* Reports whether the scene has transparent surfaces and draws them by the technique `way`. */
 bool transparency_is(const Renderer *renderer, Transparency way);

@@ -1,4 +1,4 @@
-/* Timer queries. */
+/* GPU timing by timer queries. */
 #include "runtime/gl/clock.h"
 
 bool gl_clock_is(const GlContext *gl) { return gl->hardware && gl->GetQueryObjectui64v; }

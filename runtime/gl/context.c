@@ -95,7 +95,7 @@ static void describe(GlContext *gl)
     gl->language = string(gl, GL_SHADING_LANGUAGE_VERSION);
     gl->hardware = !is_software(gl->renderer);
     if (sscanf(gl->version, "%d.%d", &gl->major, &gl->minor) != 2)
-        gl->major = gl->minor = 0; /* also for "OpenGL ES 3.2" */
+        gl->major = gl->minor = 0; /* also resets the version for "OpenGL ES 3.2" */
     gl->GetIntegerv(GL_MAX_TEXTURE_SIZE, &gl->max_texture_size);
     gl->GetIntegerv(GL_MAX_TEXTURE_IMAGE_UNITS, &gl->max_texture_units);
     gl->GetIntegerv(GL_MAX_DRAW_BUFFERS, &gl->max_draw_buffers);
@@ -209,6 +209,6 @@ bool gl_check(GlContext *gl, const char *doing)
     if (first == GL_NO_ERROR)
         return true;
     for (int i = 0; i < 16 && gl->GetError() != GL_NO_ERROR; i++) {
-    } /* bounded: a lost context reports errors forever */
+    } /* limits the number of reads: a lost context reports errors forever */
     return gl_fail(gl, "%s: %s", doing, error_name(first));
 }

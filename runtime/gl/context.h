@@ -12,7 +12,7 @@ typedef enum {
     /* EGL without a window, on a GPU if available; loaded on first use */
     GL_KIND_egl,
     GL_KIND_count,
-    GL_KIND_host = GL_KIND_count /* adopted from the caller: gl_adopt() */
+    GL_KIND_host = GL_KIND_count /* context adopted from the caller: gl_adopt() */
 } GlKind;
 
 /* A context that the caller made and that is current. */
@@ -27,11 +27,11 @@ typedef struct GlContext {
     /* true: core profile, with mandatory VAOs and GLSL from 1.40 on; false: compatibility
      * profile, with GLSL from 1.10 on */
     bool core;
-    int major, minor;      /* GL version */
-    const char *version;   /* GL_VERSION; the driver's text */
-    const char *renderer;  /* GL_RENDERER */
-    const char *language;  /* GL_SHADING_LANGUAGE_VERSION: the highest one */
-    bool hardware;         /* not one of Mesa's software renderers */
+    int major, minor;      /* version of GL */
+    const char *version;   /* string of GL_VERSION */
+    const char *renderer;  /* string of GL_RENDERER */
+    const char *language;  /* highest version, as GL_SHADING_LANGUAGE_VERSION */
+    bool hardware;         /* the renderer is not one of Mesa's software renderers */
     int max_texture_size;  /* max edge of a texture or framebuffer, in texels */
     int max_texture_units; /* max samplers in a fragment program */
     /* Max anisotropy of a sampler, by GL_EXT_texture_filter_anisotropic or OpenGL 4.6; 1: none

@@ -30,7 +30,7 @@ enum { DEVICES = 32, SURFACE_SIDE = 16 };
 typedef struct {
     EGLDisplay display;
     EGLContext context;
-    EGLSurface surface; /* EGL_NO_SURFACE if none is needed */
+    EGLSurface surface; /* surface of the context; EGL_NO_SURFACE if none is needed */
     bool core;
 #define F(NAME, Name) PFNEGL##NAME##PROC Name;
     EGL_FUNCTIONS(F)
@@ -45,7 +45,7 @@ static bool load_library(Egl *e)
     void *library = dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL);
     if (!library)
         library = dlopen("libEGL.so", RTLD_NOW | RTLD_LOCAL);
-    if (!library) /* never closed, like OSMesa */
+    if (!library) /* the library is never closed, like OSMesa */
         return message_fail(e->error, e->capacity, "no libEGL.so.1 found (Debian: libegl1)");
     void *symbol;
 #define F(NAME, Name)                                                                              \
@@ -191,7 +191,8 @@ static bool start(Egl *e)
 {
     if (!load_library(e))
         return false;
-    const char *client = e->QueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS); /* NULL before EGL 1.5 */
+    /* client extensions; NULL before EGL 1.5 */
+    const char *client = e->QueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
     e->get_platform_display =
         (PFNEGLGETPLATFORMDISPLAYEXTPROC)egl_load(e, "eglGetPlatformDisplayEXT");
     if (e->get_platform_display && has_word(client, "EGL_EXT_platform_device") && try_devices(e))

@@ -63,7 +63,8 @@ static void set_nearest(const GlContext *gl)
     gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0); /* complete without mipmaps */
+    /* makes the texture complete without mipmaps */
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
 }
 
 bool framebuffer_has_views(const GlContext *gl)
@@ -156,7 +157,7 @@ static bool make_of(GlContext *gl, const FramebufferSpec *spec, const GLenum *fo
     made->spec = *spec;
     memcpy(made->formats, formats, sizeof *formats * (size_t)spec->color_count);
     attach(gl, made);
-    /* before the check: GL 3 counts missing draw buffers as incomplete */
+    /* sets the draw buffers first: GL 3 counts missing draw buffers as incomplete */
     framebuffer_use(gl, made);
     if (gl_check(gl, "making a framebuffer") && check_complete(gl, made))
         return true;

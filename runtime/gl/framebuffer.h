@@ -7,19 +7,21 @@ enum { FRAMEBUFFER_COLORS = 8 };
 
 typedef struct {
     int width, height;
-    int color_count;     /* 0 to FRAMEBUFFER_COLORS */
-    GLenum color_format; /* GL_RGBA8, GL_RGBA16F, GL_RGBA32F, GL_RGBA32UI, ... */
-    bool depth;          /* GL_DEPTH_COMPONENT32F */
+    int color_count;     /* number of color targets, 0 to FRAMEBUFFER_COLORS */
+    GLenum color_format; /* format such as GL_RGBA8, GL_RGBA16F, GL_RGBA32F or GL_RGBA32UI */
+    bool depth;          /* has a depth texture, GL_DEPTH_COMPONENT32F */
 } FramebufferSpec;
 
 typedef struct {
     FramebufferSpec spec;
     GLuint name;
-    GLuint colors[FRAMEBUFFER_COLORS];  /* textures, nearest filter */
-    GLuint depth;                       /* texture, 0 without depth; sampled as the red component */
+    GLuint colors[FRAMEBUFFER_COLORS]; /* color textures with nearest filtering */
+    /* depth texture, sampled as the red component; 0: no depth */
+    GLuint depth;
     GLenum formats[FRAMEBUFFER_COLORS]; /* formats of the color targets */
     bool borrowed;                      /* the caller owns the textures */
-    bool stencil;                       /* the depth texture has a stencil, also the caller's */
+    /* the depth texture has a stencil, even if the caller owns the texture */
+    bool stencil;
 } Framebuffer;
 
 /* A rectangle of one color target. */
@@ -50,10 +52,10 @@ GLuint framebuffer_target(GlContext *gl, const TargetSpec *spec);
  * neither of them depth. */
 bool framebuffer_has_views(const GlContext *gl);
 GLuint framebuffer_view(GlContext *gl, GLuint target, const char *format);
-/* Textures of a framebuffer: the first spec->color_count of `colors`, and depth or 0. */
+/* Textures of a framebuffer: the first spec->color_count of `colors`, and depth; 0: no depth. */
 typedef struct {
     GLuint colors[FRAMEBUFFER_COLORS], depth;
-    bool stencil; /* depth includes a stencil, which is attached, too */
+    bool stencil; /* the depth texture includes a stencil, which is attached, too */
     const char *formats[FRAMEBUFFER_COLORS];
 } FramebufferTextures;
 /* Makes a framebuffer of textures that the caller owns. */

@@ -87,7 +87,7 @@ static void swap_rows(double rows[4][8], int first, int second)
     }
 }
 
-/* One step of Gauss-Jordan elimination: the column becomes that of the identity. */
+/* Performs one step of Gauss-Jordan elimination: the column becomes that of the identity. */
 static bool eliminate(double rows[4][8], int column)
 {
     int best = column;
@@ -96,7 +96,7 @@ static bool eliminate(double rows[4][8], int column)
             best = row;
     double pivot = rows[best][column];
     if (!(fabs(pivot) > 0))
-        return false; /* singular, or NaN */
+        return false; /* the matrix is singular, or has a NaN */
     swap_rows(rows, column, best);
     for (int i = 0; i < 8; i++)
         rows[column][i] /= pivot;

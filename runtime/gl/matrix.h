@@ -11,7 +11,8 @@ typedef struct {
 } Mat3;
 
 Mat4 mat4_identity(void);
-Mat4 mat4_multiply(const Mat4 *a, const Mat4 *b); /* a b: b is applied first */
+/* Returns the product a b, which applies b first. */
+Mat4 mat4_multiply(const Mat4 *a, const Mat4 *b);
 
 /* Perspective projection. `height`: tangent of half the vertical angle; `aspect`: width /
  * height; near and far are positive distances. */
@@ -24,10 +25,11 @@ Mat4 mat4_look_at(const float eye[3], const float target[3], const float up[3]);
 /* Returns false for a singular matrix, and leaves *inverse unchanged. */
 bool mat4_inverse(const Mat4 *a, Mat4 *inverse);
 
-Mat3 mat3_from_mat4(const Mat4 *a); /* the upper left part */
+Mat3 mat3_from_mat4(const Mat4 *a); /* Returns the upper left 3 x 3 matrix. */
 Mat3 mat3_multiply(const Mat3 *a, const Mat3 *b);
 
-/* Normal matrix of `a`: the inverse transpose of its upper left part, up to a positive factor,
- * so that a singular matrix is allowed. Transformed normals are not of unit length. */
+/* Returns the normal matrix of `a`: the inverse transpose of its upper left part, up to a
+ * positive factor, so that a singular matrix is allowed. Transformed normals are not of unit
+ * length. */
 Mat3 mat3_normal(const Mat4 *a);
 #endif

@@ -37,7 +37,7 @@ void mesh_point_attributes(const GlContext *gl)
 {
     for (GLuint i = 0; i < MESH_ATTRIBUTE_end; i++) {
         if (!attributes[i].components)
-            continue; /* the instance's number: mesh_attach() */
+            continue; /* mesh_attach() sets the instance's number */
         gl->EnableVertexAttribArray(i);
         /* GL takes offsets as pointers */
         gl->VertexAttribPointer(i, attributes[i].components, GL_FLOAT, GL_FALSE,
@@ -71,7 +71,8 @@ static void upload(const GlContext *gl, const Mesh *mesh, const Shape *shape)
                            (GLsizeiptr)shape->vertex_count * (GLsizeiptr)sizeof *shape->extra[i],
                            shape->extra[i], GL_STATIC_DRAW);
         }
-    gl->BindVertexArray(0); /* before the buffers, or the array would lose its index buffer */
+    /* unbinds the array before the buffers, or the array would lose its index buffer */
+    gl->BindVertexArray(0);
     gl->BindBuffer(GL_ARRAY_BUFFER, 0);
 }
 

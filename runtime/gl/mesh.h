@@ -12,14 +12,14 @@ enum {
     MESH_ATTRIBUTE_tangentU,
     MESH_ATTRIBUTE_tangentV,
     MESH_ATTRIBUTE_count,
-    MESH_ATTRIBUTE_instance = MESH_ATTRIBUTE_count, /* an integer per instance */
+    MESH_ATTRIBUTE_instance = MESH_ATTRIBUTE_count, /* attribute of an integer per instance */
     /* Attributes for displacement: as the four above, but equal for all vertices at one
      * position. */
     MESH_ATTRIBUTE_displacementNormal,
     MESH_ATTRIBUTE_displacementTexcoord,
     MESH_ATTRIBUTE_displacementTangentU,
     MESH_ATTRIBUTE_displacementTangentV,
-    /* Position before displacement; that of a shape that is not displaced is its position. */
+    /* Position before displacement; for shapes without displacement, the position. */
     MESH_ATTRIBUTE_basePosition,
     MESH_ATTRIBUTE_end
 };
@@ -29,12 +29,13 @@ enum {
 extern const char *const mesh_attribute_names[MESH_ATTRIBUTE_end];
 
 typedef struct {
-    GLuint array;                /* vertex array */
-    GLuint buffers[3];           /* vertices, indices, base positions if they differ */
-    GLuint extras[SHAPE_EXTRAS]; /* four components per vertex; 0: the shape has none */
+    GLuint array; /* vertex array of GL */
+    /* buffers of vertices, indices, and base positions if they differ */
+    GLuint buffers[3];
+    GLuint extras[SHAPE_EXTRAS]; /* buffers of four components per vertex; 0: the shape has none */
     ShapeNames names;            /* names of the extras */
     GLsizei index_count;
-    ShapeBody body; /* whether the mesh is closed */
+    ShapeBody body; /* class of the mesh: open, closed or solid */
 } Mesh;
 
 /* Makes a mesh of a preview shape. Returns false on failure, with *made empty; see gl->error. */

@@ -25,8 +25,8 @@ static void *open_library(char *error, size_t capacity)
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
         void *library = dlopen(names[i], RTLD_NOW | RTLD_LOCAL);
         if (library)
-            /* never closed: LLVM's destructors do not survive an unload, and further dlopen
-             * calls are cheap */
+            /* the library is never closed: LLVM's destructors do not survive an unload, and
+             * further dlopen calls are cheap */
             return library;
         if (i == 0)
             message_fail(error, capacity, "%s (Debian: libosmesa6)", dlerror());
@@ -92,7 +92,7 @@ static void osmesa_close(void *state)
 {
     Osmesa *o = state;
     if (o->context)
-        o->destroy(o->context); /* Mesa also makes it no longer current */
+        o->destroy(o->context); /* also unbinds the context if it is current */
     free(o);
 }
 

@@ -4,11 +4,12 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { PNG_SIZE_LIMIT = 16384 }; /* max width and height */
+enum { PNG_SIZE_LIMIT = 16384 }; /* max width and height of a picture */
 
 typedef struct {
     int width, height;
-    int components; /* 3: RGB, 4: RGBA (straight alpha); a byte each, rows not padded */
+    /* 3: RGB, 4: RGBA (straight alpha); a byte per component, rows without padding */
+    int components;
     uint8_t *bytes;
 } PngPicture;
 

@@ -78,7 +78,7 @@ static bool link(GlContext *gl, GLuint program)
 }
 
 typedef struct {
-    GLuint at[5]; /* 0: unused */
+    GLuint at[5]; /* shader objects; 0: unused */
     int count;
 } Shaders;
 
@@ -109,7 +109,7 @@ GLuint program_make(GlContext *gl, const ProgramText *text)
 {
     Shaders shaders = {{0}, 0};
     bool fine;
-    if (text->compute[0]) /* excludes all other stages */
+    if (text->compute[0]) /* a compute stage excludes all other stages */
         fine = add(gl, GL_COMPUTE_SHADER, text->compute, &shaders);
     else
         fine = add(gl, GL_VERTEX_SHADER, text->vertex, &shaders) &&

@@ -7,12 +7,12 @@ enum { PROGRAM_PIECES = 64 }; /* max texts that form one shader */
 
 /* Texts of a program. Locations that a text declares itself need no names here. */
 typedef struct {
-    const char *vertex[PROGRAM_PIECES]; /* concatenated; NULL ends the list */
+    const char *vertex[PROGRAM_PIECES]; /* texts that are concatenated; NULL ends the list */
     const char *fragment[PROGRAM_PIECES];
     /* Tessellation of patches with three corners; both or none. */
     const char *control[PROGRAM_PIECES], *evaluation[PROGRAM_PIECES];
     const char *geometry[PROGRAM_PIECES];
-    /* Excludes all other stages. */
+    /* Texts of a compute stage, which excludes all other stages. */
     const char *compute[PROGRAM_PIECES];
     /* Name i is bound to vertex attribute i; NULL: the names of mesh.h. */
     const char *const *attributes;

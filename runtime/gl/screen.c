@@ -1,5 +1,5 @@
-/* One triangle that contains the square from (-1, -1) to (1, 1) of clip space, so that no edge
- * crosses the picture. */
+/* Full-screen pass: one triangle that contains the square from (-1, -1) to (1, 1) of clip space,
+ * so that no edge crosses the picture. */
 #include "runtime/gl/screen.h"
 #include <string.h>
 
@@ -15,7 +15,7 @@ bool screen_make(GlContext *gl, Screen *made)
     gl->BindVertexArray(made->array);
     gl->BindBuffer(GL_ARRAY_BUFFER, made->buffer);
     gl->BufferData(GL_ARRAY_BUFFER, sizeof corners, corners, GL_STATIC_DRAW);
-    gl->VertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, NULL); /* z is 0, w is 1 */
+    gl->VertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, NULL); /* two components: z is 0, w is 1 */
     gl->EnableVertexAttribArray(0);
     gl->BindVertexArray(0);
     gl->BindBuffer(GL_ARRAY_BUFFER, 0);

@@ -42,7 +42,7 @@ static void sphere(int patch, double u, double v, ShapeVertex *vertex)
     put(vertex->tangentV, -PI * ca * sb, -PI * sa * sb, PI * cb);
 }
 
-/* P = (2u - 1, 2v - 1, 0). */
+/* Computes P = (2u - 1, 2v - 1, 0). */
 static void plane(int patch, double u, double v, ShapeVertex *vertex)
 {
     (void)patch;
@@ -52,11 +52,11 @@ static void plane(int patch, double u, double v, ShapeVertex *vertex)
     put(vertex->tangentV, 0, 2, 0);
 }
 
-/* P = n + (2u - 1) a + (2v - 1) b with a x b = n. */
+/* Computes P = n + (2u - 1) a + (2v - 1) b with a x b = n. */
 static void cube(int patch, double u, double v, ShapeVertex *vertex)
 {
     static const signed char faces[6][3][3] = {
-        /* n, a, b */
+        /* per face: normal n, axes a and b */
         {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},  {{-1, 0, 0}, {0, -1, 0}, {0, 0, 1}},
         {{0, 1, 0}, {-1, 0, 0}, {0, 0, 1}}, {{0, -1, 0}, {1, 0, 0}, {0, 0, 1}},
         {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}},  {{0, 0, -1}, {1, 0, 0}, {0, -1, 0}},
@@ -113,7 +113,7 @@ static const struct {
     const char *name;
     Surface *surface;
     int patches;
-    int columns, rows; /* cells of a patch */
+    int columns, rows; /* number of cells of a patch */
 } kinds[SHAPE_count] = {
     [SHAPE_sphere] = {"sphere", sphere, 1, 192, 96}, [SHAPE_plane] = {"plane", plane, 1, 1, 1},
     [SHAPE_cube] = {"cube", cube, 6, 1, 1},          [SHAPE_torus] = {"torus", torus, 1, 192, 96},

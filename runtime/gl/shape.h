@@ -13,20 +13,22 @@ typedef enum {
     SHAPE_sphere,
     SHAPE_plane, /* [-1, 1] squared in z = 0, facing up; u along x, v along y */
     SHAPE_cube,  /* [-1, 1] cubed; every face has u and v from 0 to 1, v upwards on the sides */
-    /* around the z axis; u around the axis, v around the tube, from its outer rim upwards */
+    /* torus around the z axis; u runs around the axis, v around the tube from its outer rim
+     * upwards */
     SHAPE_torus,
     /* A curtain with folds, [-1, 1] along x and z; u along x, v upwards, v = 1 at the upper hem. */
     SHAPE_cloth,
-    SHAPE_ground, /* z = 0 up to the horizon, facing up; u and v extend those of the plane */
+    /* plane z = 0 up to the horizon, facing up; u and v extend those of SHAPE_plane */
+    SHAPE_ground,
     SHAPE_count
 } ShapeKind;
 
 typedef struct {
     float position[3];
-    float normal[3]; /* unit length */
+    float normal[3]; /* unit normal */
     float uv[2];
     float tangentU[3]; /* dP/du: not normalized, zero at the sphere's poles */
-    float tangentV[3]; /* dP/dv */
+    float tangentV[3]; /* dP/dv: not normalized */
 } ShapeVertex;
 
 /* Extra attributes of a mesh that materials can read, if the file has them: two that any glTF
@@ -38,15 +40,15 @@ typedef enum {
     SHAPE_EXTRA_named,
     SHAPE_EXTRAS = SHAPE_EXTRA_named + SHAPE_NAMED
 } ShapeExtra;
-typedef char ShapeNames[SHAPE_NAMED][SHAPE_NAME]; /* lowercase; "": none */
+typedef char ShapeNames[SHAPE_NAMED][SHAPE_NAME]; /* names in lowercase; "": none */
 
 typedef struct {
     ShapeVertex *vertices;
-    uint32_t *indices; /* triangles */
+    uint32_t *indices; /* three indices per triangle */
     int vertex_count, index_count;
-    /* By vertex: position before displacement; NULL: the shape is not displaced. */
+    /* Indexed by vertex: position before displacement; NULL: the shape is not displaced. */
     float (*base)[3];
-    float (*extra[SHAPE_EXTRAS])[4]; /* by vertex; NULL: missing */
+    float (*extra[SHAPE_EXTRAS])[4]; /* indexed by vertex; NULL: missing */
     ShapeNames names;                /* names of the extras from SHAPE_EXTRA_named on */
 } Shape;
 
@@ -69,11 +71,11 @@ void shape_free(Shape *shape);
  * ignoring case. */
 bool shape_extra_is(const char (*names)[SHAPE_NAME], int extra, const char *name);
 
-/* Whether a mesh is watertight, with vertices at equal positions merged. The test by hashes is
+/* Classes of watertight meshes, with vertices at equal positions merged. The test by hashes is
  * wrong for one in 2^63 of the open meshes. shape_closed.c */
 typedef enum {
     SHAPE_BODY_none,
-    /* Each edge has an even number of triangles, also if two closed meshes touch or intersect. */
+    /* Each edge has an even number of triangles, even if two closed meshes touch or intersect. */
     SHAPE_BODY_closed,
     /* Each edge has equally many triangles in both directions, and all triangles of each
      * connected part face away from the part's center. So the first triangle that a ray from

@@ -35,7 +35,7 @@ static uint64_t place_number(const float position[3])
 typedef struct {
     uint64_t *places;
     int *owners;
-    double (*sums)[4]; /* of a part: sum of its positions, and their number */
+    double (*sums)[4]; /* per part: sum of its positions, and their number */
 } Parts;
 
 /* Classifies a mesh by its edges; edges of zero length are ignored. */
@@ -75,7 +75,7 @@ static bool join_places(const Shape *shape, Parts *parts)
     size_t mask = 1;
     while (mask < 2 * (size_t)shape->vertex_count)
         mask = 2 * mask + 1;
-    int *firsts = calloc(mask + 1, sizeof *firsts); /* index + 1 */
+    int *firsts = calloc(mask + 1, sizeof *firsts); /* hash table of index + 1; 0: free */
     for (int i = 0; firsts && i < shape->vertex_count; i++) {
         size_t slot = parts->places[i] & mask;
         while (firsts[slot] && parts->places[firsts[slot] - 1] != parts->places[i])

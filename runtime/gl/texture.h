@@ -8,16 +8,16 @@
  * floats is set. */
 typedef struct {
     int width, height;
-    int components;       /* 1 or 4 */
-    const uint8_t *bytes; /* value = byte / 255: R8, RGBA8 */
-    const float *floats;  /* R32F, RGBA32F */
-    bool linear;          /* filter; false: nearest */
+    int components;       /* number of components, 1 or 4 */
+    const uint8_t *bytes; /* texels of R8 and RGBA8: value = byte / 255 */
+    const float *floats;  /* texels of R32F and RGBA32F */
+    bool linear;          /* true: linear filter; false: nearest */
     /* Wrap mode outside the edges; a border is 0 in all components; 0: clamp to edge. */
     GLint wrap;
     bool mipmaps; /* generates mipmaps, with trilinear filtering */
     /* Max samples along a footprint's longer side, up to the driver's limit; 0 or 1: isotropic. */
     int anisotropy;
-    const uint16_t *words; /* value = word / 65535: RGBA16 */
+    const uint16_t *words; /* texels of RGBA16: value = word / 65535 */
     /* Internal format, if several could hold the texels, such as SRGB8_ALPHA8; 0: the one named
      * above. */
     GLint format;

@@ -25,7 +25,7 @@ static int components_of(GLenum type)
     case GL_FLOAT_MAT4:
         return 16;
     default:
-        return 1; /* float, int, bool, uint and all samplers */
+        return 1; /* float, int, bool, uint and all samplers have one component */
     }
 }
 

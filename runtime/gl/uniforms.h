@@ -7,11 +7,11 @@
 typedef struct {
     char *name;
     GLenum type;
-    int components; /* 1-4; 9 and 16 for a matrix */
-    GLint location; /* of a plain uniform; -1 for a member of a block */
-    int block;      /* index of the member's block, or -1 */
-    int offset;     /* of a member in its block, in bytes */
-    int stride;     /* between columns of a matrix, in bytes */
+    int components; /* number of components: 1 to 4; 9 and 16 for a matrix */
+    GLint location; /* location of a plain uniform; -1 for a member of a block */
+    int block;      /* index of the member's block; -1: none */
+    int offset;     /* offset of a member in its block, in bytes */
+    int stride;     /* stride between columns of a matrix, in bytes */
 } GlUniform;
 
 typedef struct {
@@ -24,14 +24,15 @@ typedef struct {
     int view;
 } GlUniforms;
 
-enum { UNIFORMS_VIEW = 16 }; /* programs have fewer blocks of their own */
+/* binding point of the block View; programs have fewer blocks of their own */
+enum { UNIFORMS_VIEW = 16 };
 
 /* Reads the active uniforms, and assigns binding points to blocks. Returns false on failure,
  * with *found empty; see gl->error. */
 bool uniforms_read(GlContext *gl, GLuint program, GlUniforms *found);
 void uniforms_free(GlUniforms *uniforms);
-/* Returns the index of a uniform; -1 if the program has none of that name, or the driver removed
- * it as unused. */
+/* Returns the index of a uniform; -1 if the program has none with the given name, or the driver
+ * removed it as unused. */
 int uniforms_find(const GlUniforms *uniforms, const char *name);
 
 /* Set a plain uniform of the current program, or write a member into its block. Floats are

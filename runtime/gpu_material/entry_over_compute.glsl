@@ -9,7 +9,7 @@ void main()
     if (any(greaterThanEqual(pixel, imageSize(entry_target)))) return;
     vec3 through;
     vec3 color = passOver(pixel, through);
-    if (color == vec3(0.0) && through == vec3(1.0)) return; // no contribution
+    if (color == vec3(0.0) && through == vec3(1.0)) return; // the surface contributes nothing
     vec4 behind = imageLoad(entry_target, pixel);
     imageStore(entry_target, pixel, vec4(color + through * behind.xyz, 1.0));
 }

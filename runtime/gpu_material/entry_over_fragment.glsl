@@ -7,7 +7,7 @@ void main()
 {
     vec3 through;
     vec3 color = passOver(ivec2(gl_FragCoord.xy), through);
-    if (color == vec3(0.0) && through == vec3(1.0)) discard; // no contribution
+    if (color == vec3(0.0) && through == vec3(1.0)) discard; // the surface contributes nothing
     entry_color = vec4(color, 1.0);
     entry_through = vec4(through, 0.0);
 }

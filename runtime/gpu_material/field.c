@@ -53,7 +53,7 @@ static bool declares(const char *fragment, const InputRow *row)
     return strstr(fragment, text) != NULL;
 }
 
-/* Location of an input in GLSL with locations: its index among the varyings. */
+/* Returns the location of an input in GLSL with locations: the input's index among the varyings. */
 static int location(int input)
 {
     int count = 0;
@@ -62,7 +62,7 @@ static int location(int input)
     return count;
 }
 
-/* by number of components */
+/* GLSL types, indexed by number of components */
 static const char *const types[] = {"", "float", "vec2", "vec3", "vec4"};
 
 void field_default(const MatcAttribute *attribute, char text[FIELD_DEFAULT_CAPACITY])

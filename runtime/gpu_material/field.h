@@ -10,14 +10,14 @@ enum { FIELD_VARYINGS = INPUT_front }; /* inputs.def lists the varyings first */
 _Static_assert(INPUT_P == 0 && INPUT_XV == FIELD_VARYINGS - 1, "the varyings come first");
 
 typedef struct {
-    float at[4];                    /* clip space */
-    float input[FIELD_VARYINGS][3]; /* by Input */
+    float at[4];                    /* position in clip space */
+    float input[FIELD_VARYINGS][3]; /* values of the varyings, indexed by Input */
 } FieldVertex;
 
 typedef struct {
     GLuint array, buffer;
-    GLenum mode; /* GL_POINTS, GL_TRIANGLES, GL_TRIANGLE_STRIP */
-    int count;   /* vertices */
+    GLenum mode; /* primitive: GL_POINTS, GL_TRIANGLES or GL_TRIANGLE_STRIP */
+    int count;   /* number of vertices */
 } Field;
 
 /* Uploads vertices. Call field_delete() even after a failure. */
@@ -26,9 +26,9 @@ void field_draw(const GlContext *gl, const Field *field);
 void field_delete(const GlContext *gl, Field *field);
 
 typedef struct {
-    Target target;        /* the GLSL version of the texts */
-    const char *fragment; /* NULL: the program's own */
-    const char *library;  /* GLSL to link in addition, or NULL */
+    Target target;        /* GLSL version of the texts */
+    const char *fragment; /* fragment program; NULL: the one of `program` */
+    const char *library;  /* GLSL to link in addition; NULL: none */
 } FieldText;
 
 enum { FIELD_DEFAULT_CAPACITY = 128 };

@@ -7,7 +7,7 @@
 struct MaterialBlock {
     GLuint buffer;
     unsigned char *bytes;
-    bool changed; /* since the last upload */
+    bool changed; /* the block has changed since the last upload */
 };
 
 static GlContext *context(const Material *m) { return store_context(m->store); }
@@ -169,7 +169,8 @@ static bool make(Material *m, MatcProgram *program, const ProgramText *text)
     if (program && matc_texture_count(program) > most_textures(m))
         return gl_fail(context(m), "it has %d textures, and the driver room for %d",
                        matc_texture_count(program),
-                       most_textures(m)); /* before the driver fails with an unclear message */
+                       /* checked before the driver fails with an unclear message */
+                       most_textures(m));
     m->program = store_program(m->store, &whole);
     if (!m->program || !make_capacity(m))
         return false;
@@ -213,7 +214,7 @@ static void use_block(const GlContext *gl, int index, int size, struct MaterialB
     const bool made = block->buffer != 0;
     if (!made)
         gl->GenBuffers(1, &block->buffer);
-    /* also the binding for the calls below */
+    /* also binds the buffer for the calls below */
     gl->BindBufferBase(GL_UNIFORM_BUFFER, (GLuint)index, block->buffer);
     if (!made)
         gl->BufferData(GL_UNIFORM_BUFFER, size, block->bytes, GL_DYNAMIC_DRAW);

@@ -12,16 +12,16 @@ enum { MATERIAL_TEXTURES = 32 };
 /* Value of a uniform, converted to the uniform's type (uniforms.h). */
 typedef struct {
     const char *name;
-    int components; /* 1-4; 9 and 16 for a matrix, by columns */
+    int components; /* number of components: 1 to 4; 9 and 16 for a matrix, by columns */
     const float *values;
 } MaterialValue;
 
 typedef struct {
     Store *store;
-    const StoreItem *program;                     /* shared with other materials */
-    const StoreItem *textures[MATERIAL_TEXTURES]; /* shared; texture i is on unit i */
+    const StoreItem *program;                     /* program, shared with other materials */
+    const StoreItem *textures[MATERIAL_TEXTURES]; /* shared textures; texture i is on unit i */
     int texture_count;
-    /* This material's own: values of the plain uniforms in program->uniforms, initially 0. */
+    /* Values of this material for the plain uniforms in program->uniforms, initially 0. */
     float (*values)[16];
     struct MaterialBlock *blocks;
     struct MeshFeed *feeds; /* attributes of meshes that the program reads by name */
@@ -37,11 +37,11 @@ bool material_make(Store *store, MatcProgram *program, const ProgramText *text, 
 void material_delete(Material *material);
 
 /* Sets a uniform, plain or member of a block, for this material alone. Returns false if the
- * program has none of that name and number of components; that is no error, since a driver
+ * program has none with the given name and number of components; that is no error, since a driver
  * removes unused uniforms. */
 bool material_set(Material *material, const MaterialValue *value);
 bool material_set_number(Material *material, const char *name, float number);
-/* Reports whether the program has a uniform of that name. */
+/* Reports whether the program has a uniform with the given name. */
 bool material_has(const Material *material, const char *name);
 /* Adds a texture for a sampler; does nothing if the program has no such sampler. Returns false
  * on failure; see the context's error. */
@@ -59,6 +59,6 @@ bool material_write(Material *material, const char *block, const void *bytes, si
 void material_use(Material *material);
 /* Uses a material directly after `before`: bindings that both share are kept. */
 void material_use_after(Material *material, const Material *before);
-/* Hash of a material's current program, textures, uniforms and constants. */
+/* Returns the hash of a material's current program, textures, uniforms and constants. */
 Key material_key(const Material *material);
 #endif

@@ -1,7 +1,7 @@
 // A step of a reduction: a block of texels becomes one. The first step turns pixels into the three
 // texels of tone.glsl, side by side; further steps reduce these triples.
 layout(std140) uniform Measure {
-    int measure_width, measure_height; // in pixels, or in triples of texels
+    int measure_width, measure_height; // size of the picture, in pixels or in triples of texels
     int measure_first;                 // 1: the input has pixels
     int measure_x, measure_y;          // first pixel or triple that counts
 };
@@ -33,7 +33,7 @@ vec4 passPixel(ivec2 place)
         for (int x = first.x; x < last.x; x++) {
             vec4 one = texelFetch(measure_from, measure_first != 0 ? ivec2(x, y)
                 : ivec2(3 * x + what, y), 0);
-            // excludes the backdrop
+            // excludes the backdrop's pixels
             if (measure_first != 0)
                 one = measureOf(what, one.w > 0.0 ? toneGuard(one.xyz) : vec3(0.0));
             result = what == 0   ? max(result, one)

@@ -6,16 +6,17 @@
 
 enum {
     MEASURE_BLOCK = 16,
-    MEASURE_STEPS = 4 /* 16384 pixels are reduced to one */,
+    MEASURE_STEPS = 4 /* max steps: 16384 pixels are reduced to one */,
     MEASURE_TEXELS = 3
 };
 
-#define MEASURE_GREATEST 1e18f /* as in tone.glsl */
+#define MEASURE_GREATEST 1e18f /* max measured value, as in tone.glsl */
 
 typedef struct {
     int count; /* number of steps */
     ScreenPass passes[MEASURE_STEPS];
-    Framebuffer targets[MEASURE_STEPS]; /* the last holds the three texels that tone.glsl reads */
+    /* results of the steps; the last holds the three texels that tone.glsl reads */
+    Framebuffer targets[MEASURE_STEPS];
 } Measure;
 
 /* Makes the steps. `texts` precede measure.glsl: tone.glsl and its definitions; NULL ends the

@@ -1,14 +1,16 @@
-/* One program for all slots: the uniform reader_slot selects the slot to draw. For a layout of
- * two slots, in GLSL 3.30:
- *
- *     uniform int reader_slot;
- *     layout(location = 0) out vec4 value;
- *     void main() {
- *         Surface s = unpackSurface(ivec2(gl_FragCoord.xy));
- *         value = vec4(0.0);
- *         if (reader_slot == 0) value = vec4(s.normal, 0.0);
- *         if (reader_slot == 3) value = vec4(s.shininess, 0.0, 0.0, 0.0);
- *     } */
+/* Reads slots from a G-buffer. One program serves all slots: the uniform reader_slot selects the
+ * slot to draw. For a layout of two slots, in GLSL 3.30:
+ *   uniform int reader_slot;
+ *   layout(location = 0) out vec4 value;
+ *   void main()
+ *   {
+ *       Surface s = unpackSurface(ivec2(gl_FragCoord.xy));
+ *       value = vec4(0.0);
+ *       if (reader_slot == 0)
+ *           value = vec4(s.normal, 0.0);
+ *       if (reader_slot == 3)
+ *           value = vec4(s.shininess, 0.0, 0.0, 0.0);
+ *   } */
 #include "runtime/gpu_material/reader.h"
 #include <stdio.h>
 
@@ -76,7 +78,8 @@ bool reader_make(Store *store, const ReaderSource *source, Reader *made)
     *made = (Reader){0};
     if (make(store, source, made))
         return true;
-    made->program.store = store; /* also if making the program failed */
+    made->program.store =
+        store; /* reader_delete() reads the store, also if making the program failed */
     reader_delete(made);
     return false;
 }

@@ -5,16 +5,16 @@
 #include "runtime/gl/screen.h"
 
 typedef struct {
-    const char *unpack; /* MATC_UNPACK; needed only during reader_make() */
-    Target target;      /* the GLSL version of `unpack` */
+    const char *unpack; /* text of MATC_UNPACK; needed only during reader_make() */
+    Target target;      /* GLSL version of `unpack` */
     const LayoutRow *layout;
-    int width, height; /* of the G-buffer */
+    int width, height; /* size of the G-buffer */
 } ReaderSource;
 
 typedef struct {
     Material program;
     Screen screen;
-    Framebuffer values;     /* RGBA32F: one slot */
+    Framebuffer values;     /* RGBA32F target of the selected slot */
     bool holds[SLOT_COUNT]; /* the layout stores the slot */
 } Reader;
 

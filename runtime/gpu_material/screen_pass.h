@@ -11,12 +11,14 @@ _Static_assert((int)SCREEN_PASS_PIECES + 2 <= (int)PROGRAM_PIECES,
                "a head before them, an entry behind");
 
 typedef struct {
-    const char *body[SCREEN_PASS_PIECES]; /* GLSL, concatenated; NULL ends the list */
-    const char *format;                   /* format of the target, such as "RGBA16F" */
-    bool compute;                         /* use a compute program; needs GL 4.3 */
+    /* pieces of GLSL, which are concatenated; NULL ends the list */
+    const char *body[SCREEN_PASS_PIECES];
+    const char *format; /* format of the target, such as "RGBA16F" */
+    bool compute;       /* use a compute program; needs GL 4.3 */
     /* The body is passOver(): its result is blended over the target. */
     bool over;
-    int block; /* edge in pixels of the body's own compute entry point, or 0 */
+    /* edge of a workgroup in pixels if the body has its own compute entry point; 0: it has none */
+    int block;
     bool full; /* a piece did not fit: screen_pass_make() fails */
 } ScreenPassText;
 /* Append a piece of GLSL to the body; NULL and "" are ignored. A piece beyond the capacity sets
@@ -28,7 +30,7 @@ typedef struct {
     Material material;
     bool compute, over;
     int block;  /* edge in pixels of the square that a work group draws */
-    int layers; /* work groups per square: 1 by default */
+    int layers; /* work groups per square; 1 by default */
     GLenum format;
 } ScreenPass;
 

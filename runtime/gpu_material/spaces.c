@@ -20,7 +20,7 @@ static Mat4 find_depth_from_world(const Spaces *spaces)
 static void set_plane(const Spaces *spaces, const Mat4 *depth_from_world, Material *material)
 {
     float depth[4], w[4];
-    for (int i = 0; i < 4; i++) { /* rows of the matrix */
+    for (int i = 0; i < 4; i++) { /* copies the rows of z and w */
         depth[i] = depth_from_world->m[4 * i + 2];
         w[i] = depth_from_world->m[4 * i + 3];
     }
@@ -31,9 +31,9 @@ static void set_plane(const Spaces *spaces, const Mat4 *depth_from_world, Materi
     set(material, "matc_clipW", 4, w);
 }
 
-/* Matrix from which the vertex programs of planes and skies compute rays. With depth from 0 to 1
- * in any clip space, a ray is a point at depth 0, at infinity, and not a difference of points
- * that are as far from the origin as the camera. Parallel rays end at the plane. */
+/* Returns the matrix from which the vertex programs of planes and skies compute rays. With depth
+ * from 0 to 1 in any clip space, a ray is a point at depth 0, at infinity, and not a difference
+ * of points that are as far from the origin as the camera. Parallel rays end at the plane. */
 static Mat4 find_world_from_clip(const Spaces *spaces, const Mat4 *depth_from_world)
 {
     Mat4 result = mat4_identity();
@@ -47,7 +47,7 @@ static Mat4 find_world_from_clip(const Spaces *spaces, const Mat4 *depth_from_wo
         result.m[8 + i] = 0;
         result.m[12 + i] = spaces->rays[1][i];
     }
-    result.m[11] = 1; /* infinitely far ahead: no position */
+    result.m[11] = 1; /* the point is infinitely far ahead and has no position */
     result.m[15] = 0;
     return result;
 }

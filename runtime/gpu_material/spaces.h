@@ -6,12 +6,13 @@
 
 typedef struct {
     Mat4 world_from_local, eye_from_world, clip_from_eye;
-    float origin[3];   /* origin in world space of all positions here */
-    float eye[3];      /* position in world space */
-    float viewer[4];   /* the eye and 1, or, for parallel rays, the direction to it and 0 */
-    float time;        /* seconds */
+    float origin[3]; /* origin in world space of all positions here */
+    float eye[3];    /* position of the eye in world space */
+    /* perspective: the eye, and 1; parallel rays: the direction to the eye, and 0 */
+    float viewer[4];
+    float time;        /* time in seconds */
     float object;      /* the object's random number, in [0, 1) */
-    float plane[3][3]; /* of the pass plane: origin, step of u, step of v */
+    float plane[3][3]; /* mapping of the pass plane: origin, step of u, step of v */
     /* Rays are parallel: the pass plane draws the rays of `rays` instead. */
     bool parallel;
     /* Parallel rays of the pass plane: an eye; the vector from the eye to the plane at the
@@ -23,6 +24,6 @@ typedef struct {
 
 /* Sets all transforms that the material's program reads. */
 void spaces_set(const Spaces *spaces, Material *material);
-/* Reports whether its program reads the time. */
+/* Reports whether the material's program reads the time. */
 bool spaces_by_time(const Material *material);
 #endif

@@ -16,10 +16,10 @@ typedef struct {
 } Table;
 
 typedef struct Entry {
-    StoreItem item; /* first, so that a user's pointer is the entry's */
+    StoreItem item; /* first member, so that a user's pointer is also a pointer to the entry */
     Key key;
     int users;
-    Table *table; /* the table with this entry */
+    Table *table; /* table that contains the entry */
     struct Entry *next;
 } Entry;
 
@@ -84,7 +84,8 @@ static void delete_item(const Store *store, const Table *table, StoreItem *item)
 
 void store_drop(Store *store, const StoreItem *item)
 {
-    Entry *entry = (Entry *)(uintptr_t)item; /* the item is its first member */
+    /* valid because the item is the entry's first member */
+    Entry *entry = (Entry *)(uintptr_t)item;
     if (!item || --entry->users > 0)
         return;
     Entry **link = bucket_of(entry->table, entry->key);
@@ -119,7 +120,8 @@ static Key key_of_text(const char *text)
     return text ? key_of_bytes(text, strlen(text)) : (Key){0, 0};
 }
 
-/* Hash of a program: a hash of the hashes of all parts, so that parts are not confused. */
+/* Returns the hash of a program: a hash of the hashes of all parts, so that parts are not
+ * confused. */
 static Key key_of_program(const ProgramText *text)
 {
     const char *const *const stages[] = {text->vertex,  text->fragment,   text->compute,

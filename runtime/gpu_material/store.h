@@ -18,7 +18,7 @@ typedef struct Store Store;
 /* A program or a texture. */
 typedef struct {
     GLuint name;
-    GlUniforms uniforms;    /* programs only */
+    GlUniforms uniforms;    /* set for programs only */
     struct StoreHeld *held; /* programs only: last uploaded value of each uniform */
 } StoreItem;
 
@@ -37,7 +37,7 @@ const StoreItem *store_texture(Store *store, const TextureSpec *spec);
 /* Releases a reference to an object. Does nothing for NULL. */
 void store_drop(Store *store, const StoreItem *item);
 
-/* Numbers of objects in the store. */
+/* Return the numbers of objects in the store. */
 int store_program_count(const Store *store);
 int store_texture_count(const Store *store);
 #endif

@@ -62,7 +62,7 @@ CullBox cull_box(const Shape *shape)
 
 /* A transformed box. */
 typedef struct {
-    double center[3], edges[3][3]; /* half edges */
+    double center[3], edges[3][3]; /* center, and half edges */
     double terms[3];               /* sums of the center's absolute terms */
 } BoxImage;
 

@@ -8,7 +8,7 @@
 enum { CULL_PLANES = 6 };
 
 typedef struct {
-    double planes[CULL_PLANES][4]; /* n x + d >= 0 inside, n of unit length */
+    double planes[CULL_PLANES][4]; /* a point x is inside if n x + d >= 0, with n of unit length */
     double terms[CULL_PLANES];     /* sums of the absolute terms of d, to bound rounding errors */
     int count;
 } CullVolume;

@@ -12,13 +12,13 @@ typedef struct {
     const Scene *scene;
     const ViewSpace *space;
     const int *size;
-    double pixels; /* per unit of the ray's x and y */
+    double pixels; /* pixels per unit of the ray's x and y */
     HashIndex solids;
     Key *keys;
     EdgeMesh *meshes;
     int mesh_count;
     EdgeList *made;
-    float crease; /* EdgeEnd.crease of the lines that are added */
+    float crease; /* value of EdgeEnd.crease for added lines */
     bool fine;
 } EdgeLister;
 
@@ -200,7 +200,7 @@ static void add_horizon(EdgeLister *l, const SceneObject *object)
         n[i] = e[i] * world[0] + e[4 + i] * world[1] + e[8 + i] * world[2];
     const double square = n[0] * n[0] + n[1] * n[1], reach = 2.0 * (l->size[0] + l->size[1]);
     if (square < 1e-18)
-        return; /* viewed along its normal: no horizon */
+        return; /* a circle viewed along its normal has no horizon */
     l->crease = 0;
     double ends[2][3] = {{0}};
     for (int k = 0; k < 2; k++)

@@ -6,17 +6,20 @@
 #include "runtime/gpu_scene/view_space.h"
 #include "runtime/gpu_scene/edge_mesh.h"
 
-enum { EDGE_LIST_PIECE = 32 /* pixels: longer lines are cut */, EDGE_LIST_TEXELS = 2 };
+enum {
+    EDGE_LIST_PIECE = 32 /* max length in pixels; longer lines are cut */,
+    EDGE_LIST_TEXELS = 2
+};
 
 /* An end of a line: position in pixels from the picture's lower left corner, and depth as in the
  * target depth, which is linear along a line. */
 typedef struct {
     float x, y, depth;
-    float crease; /* 1: both sides of the line have the same depth; 0: a silhouette */
+    float crease; /* 1: a crease, whose sides have the same depth; 0: a silhouette */
 } EdgeEnd;
 
 typedef struct {
-    EdgeEnd (*lines)[EDGE_LIST_TEXELS]; /* two ends, a texel each */
+    EdgeEnd (*lines)[EDGE_LIST_TEXELS]; /* two ends per line, a texel each */
     int count, capacity;
 } EdgeList;
 

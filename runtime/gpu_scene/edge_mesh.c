@@ -14,10 +14,11 @@ static const float alike = 0.999f;
 typedef struct {
     const Shape *shape;
     HashIndex positions, sides;
-    double scale;      /* cells per unit */
-    int *place;        /* by vertex: the first vertex at the same position */
-    uint32_t (*of)[2]; /* by edge: the end vertices in the edge's first face */
-    uint8_t *faces;    /* by edge: number of faces */
+    double scale; /* cells per unit of length */
+    int *place;   /* indexed by vertex: the first vertex at the same position */
+    /* indexed by edge: the two end vertices, as ordered in the edge's first face */
+    uint32_t (*of)[2];
+    uint8_t *faces; /* indexed by edge: number of faces */
     EdgeMesh *made;
 } EdgeMaker;
 
@@ -96,7 +97,7 @@ static int find_side(const EdgeMaker *m, const int ends[2], uint32_t hash)
     return -1;
 }
 
-/* A face with a given side: its normal, and the vertex opposite the side. */
+/* A face and one of its sides: the face's normal, and the vertex opposite the side. */
 typedef struct {
     const float *normal, *apex;
 } EdgeFace;
@@ -134,7 +135,7 @@ static void add_side(EdgeMaker *m, uint32_t a, uint32_t b, const EdgeFace *face)
         memcpy(edge->ends[k], position(m, (int)vertices[k]), sizeof edge->ends[k]);
         set_face(face, k, edge);
     }
-    edge->open = true; /* until a second face shares the edge */
+    edge->open = true; /* the edge is open until a second face shares it */
     memcpy(m->of[number], vertices, sizeof vertices);
     m->faces[number] = 1;
     hash_index_add(NULL, &m->sides, hash, (uint32_t)number);

@@ -6,9 +6,9 @@
 
 typedef struct {
     float ends[2][3];
-    float normals[2][3]; /* of the two adjacent faces; not normalized */
+    float normals[2][3]; /* normals of the two adjacent faces; not normalized */
     float apexes[2][3];  /* the faces' third vertices */
-    /* Not exactly two faces share the edge: it is always a silhouette. */
+    /* The number of faces at the edge is not two: the edge is always a silhouette. */
     bool open;
     bool crease; /* the shading normal is discontinuous along the edge */
 } MeshEdge;
@@ -16,7 +16,7 @@ typedef struct {
 typedef struct {
     MeshEdge *edges;
     int count;
-    bool solid;             /* closed, with front faces outside */
+    bool solid;             /* the mesh is closed, with front faces outside */
     double low[3], high[3]; /* bounding box */
 } EdgeMesh;
 

@@ -13,7 +13,7 @@ typedef struct {
     Key *keys;
 } Known;
 
-/* Hash of an imported mesh's contents. */
+/* Returns the hash of an imported mesh's contents. */
 static Key shape_key(const Shape *shape)
 {
     const Key parts[] = {
@@ -33,11 +33,12 @@ typedef struct {
     Key *file_keys; /* hashes of the scene's meshes */
     TransparencyText transparency;
     TriangleIdTextParts seen;
-    int *kind_of, *row_of;        /* by material; kind_of -1: not yet used */
-    int *used_as[GPU_SCENE_USES]; /* by material, index in GpuScene.casters; -1: no such program */
+    int *kind_of, *row_of; /* indexed by material; kind_of -1: not yet used */
+    /* indexed by material: index in GpuScene.casters; -1: no such program */
+    int *used_as[GPU_SCENE_USES];
 } Maker;
 
-/* Returns the element's number, or -1. */
+/* Returns the element's number; -1: none. */
 static int find(const Known *known, Key key)
 {
     HashProbe probe = hash_probe(&known->index, (uint32_t)key.low);
@@ -53,7 +54,8 @@ static void add(Known *known, Key key, int number)
     hash_index_add(NULL, &known->index, (uint32_t)key.low, (uint32_t)number);
 }
 
-/* Hash of an object's mesh: objects with equal keys share a mesh, also with the next scene. */
+/* Returns the hash of an object's mesh: objects with equal keys share a mesh, also with the next
+ * scene. */
 static Key mesh_key(const Maker *m, const SceneObject *object)
 {
     double parts[SCENE_NUMBERS + 1] = {object->kind};
@@ -383,7 +385,8 @@ bool gpu_scene_make(Store *store, const GpuSceneSource *source, GpuScene *before
     triangle_id_text_make(maker.gl, source->set, source->written, &maker.seen);
     const bool done = make_capacity(&maker) && add_objects(&maker) && make_sky(&maker) &&
                       make_buffers(&maker) && gpu_scene_arrange(maker.gl, source, made);
-    made->displaced_rebuilt = false; /* all passes are built after this */
+    /* all passes are built after this, so the first tessellation is no change */
+    made->displaced_rebuilt = false;
     forget(&maker);
     if (!done)
         gpu_scene_delete(maker.gl, made);

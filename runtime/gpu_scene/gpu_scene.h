@@ -20,19 +20,20 @@ typedef enum {
 
 /* Materials that differ only in constants: one program with the same textures and uniforms. */
 typedef struct {
-    Material material; /* without instancing it has the matrices of one object */
-    bool transparent;  /* at least in some fragments */
+    /* material of the program; without instancing its uniforms hold one object's matrices */
+    Material material;
+    bool transparent; /* at least some fragments are transparent */
     /* Buffer with the constants of all materials of the program; 0: no constants. */
     GLuint numbers;
 } GpuSceneKind;
 
-/* One draw call: objects of one kind, one mesh, and one winding of its triangles. */
+/* A draw call: objects with the same kind, mesh and winding of triangles. */
 typedef struct {
     int kind, mesh;       /* indices in GpuScene.kinds and GpuScene.meshes */
     bool mirrored;        /* negative determinant: the winding is flipped */
     int first, count;     /* range in GpuScene.places, and in the first part of GpuScene.list */
     int first_seen, seen; /* range of the objects in view, in the second part of GpuScene.list */
-    bool solid;           /* all are closed and viewed from outside: back faces are culled */
+    bool solid;           /* all meshes are closed and viewed from outside: back faces are culled */
 } Drawable;
 
 /* An object that is drawn, with its kind and mesh. */
@@ -47,7 +48,7 @@ typedef struct {
     int cut;
     GLuint program;
     bool transparent, mirrored;
-    const float *even; /* transmittance if constant, three components; else NULL */
+    const float *even; /* transmittance with three components if constant; else NULL */
 } GpuScenePlace;
 
 typedef struct {
@@ -73,24 +74,25 @@ typedef struct {
      * constants have the same order as those of `kinds`. */
     GpuSceneKind *casters;
     int caster_count;
-    GLuint *numbers; /* by program of the set: a buffer of constants, or 0 */
+    /* per program of the material set: uniform buffer of its constants; 0: no constants */
+    GLuint *numbers;
     int number_count;
     Mesh *meshes;
     CullBox *boxes; /* bounding boxes of the meshes */
     Key *mesh_keys; /* hashes of the meshes' contents */
-    /* by mesh: how the GPU displaces it; empty for meshes that it does not displace */
+    /* indexed by mesh: how the GPU displaces the mesh; empty for other meshes */
     Displaced *displaced;
-    /* By kind: program that shades ray-marched surfaces (gpu_scene_trace.h); empty if the kind has
-     * none. */
+    /* Indexed by kind: program that shades ray-marched surfaces (gpu_scene_trace.h); empty if
+     * the kind has none. */
     Material *traced;
-    bool tracing; /* some kind has such a program */
+    bool tracing; /* some kind has a program in `traced` */
     /* A displaced mesh has been tessellated again; readers reset the flag. */
     bool displaced_rebuilt;
     int mesh_count;
     /* Objects except infinite planes, opaque ones first, sorted by program, kind, mesh. */
     GpuScenePlace *places;
     int place_count;
-    int *place_of; /* by object: its index in `places`; -1: none */
+    int *place_of; /* indexed by object: index of the object in `places`; -1: none */
     Drawable *surfaces;
     int surface_count;
     int opaque_count; /* opaque ones come first; the others have transparent fragments */
@@ -102,7 +104,7 @@ typedef struct {
     /* Indices of places, in three parts: all, those in the camera's view, those in a light's
      * view. The buffer `words` has the same contents. */
     uint32_t *list;
-    uint32_t *seen_list; /* the second part, as last written to the buffer */
+    uint32_t *seen_list; /* the second part of `list`, as last written to the buffer */
     int seen;
     GpuSceneOrder *order; /* scratch memory for sorting places */
     uint32_t *cast_order; /* places of shadow casters, sorted by caster and mesh */
@@ -115,16 +117,16 @@ typedef struct {
     const Scene *scene;
     const MaterialSet *set;
     const ViewSpace *space;
-    const CullVolume *volume;   /* the frustum; NULL disables culling */
-    const CullVolume *view;     /* the camera's frustum, also if culling is disabled */
-    const int *size;            /* of the picture, in pixels */
+    const CullVolume *volume;   /* frustum for culling; NULL disables culling */
+    const CullVolume *view;     /* the camera's frustum, even if culling is disabled */
+    const int *size;            /* size of the picture, in pixels */
     const int *at;              /* first pixel of the tile */
-    const MatcOptions *compile; /* for programs that displace */
+    const MatcOptions *compile; /* compile options for programs that displace */
     /* The scene's meshes also need the triangles that the GPU displaces. */
     bool triangles;
     /* Only the camera and shadow maps read the scene: no rays, no other shadows. */
     bool alone;
-    bool casts; /* shadow maps exist */
+    bool casts; /* the scene has shadow maps */
     Transparency transparency;
     const TriangleIdText *written; /* outputs of opaque surfaces in addition to the G-buffer */
     bool lines;                    /* surfaces are drawn as lines */
@@ -149,8 +151,8 @@ bool gpu_scene_view(GlContext *gl, const GpuSceneSource *source, GpuScene *gpu_s
 /* Applies new matrices of `count` objects from `first` on. */
 bool gpu_scene_move(GlContext *gl, const GpuSceneSource *source, GpuScene *gpu_scene, int first,
                     int count);
-/* Sets a uniform of a material. Returns false if none of its programs has a uniform of that name
- * and number of components. */
+/* Sets a uniform of a material. Returns false if none of its programs has a uniform with the
+ * given name and number of components. */
 bool gpu_scene_set(const GpuSceneSource *source, GpuScene *gpu_scene, int material,
                    const MaterialValue *value);
 /* Sorts the places into drawables, and writes all buffers. */
@@ -164,29 +166,30 @@ void gpu_scene_draw(GlContext *gl, GpuScene *gpu_scene, bool transparent);
 
 /* Parameters for ray marching surfaces into a shadow map. */
 typedef struct {
-    float offset[2]; /* of glPolygonOffset */
+    float offset[2]; /* factor and units of glPolygonOffset */
     float pixel[2];  /* size of a texel of the map, in clip space */
     float corner[2]; /* corner of texel (0, 0) in clip space */
 } GpuSceneLightTrace;
 
 /* A light's view of the scene, for shadow maps and similar targets. */
 typedef struct {
-    const double *clip_from_world; /* 16, by columns */
+    const double *clip_from_world; /* matrix of 16 numbers, by columns */
     const CullVolume *volume;
     bool mirrored;   /* the projection flips the winding */
-    Material *solid; /* draws depth alone (shadow_depth.glsl) */
-    /* By kind: replacement program for opaque surfaces (radiance.h); or NULL. */
+    Material *solid; /* program that draws depth alone (shadow_depth.glsl) */
+    /* Indexed by kind: replacement program for opaque surfaces (radiance.h); NULL: no
+     * replacement. */
     Material *kept;
     /* Number of the map: the uniform glass_map of programs that color shadows. */
     int number;
-    /* By place: only places whose entry equals `wave` are drawn; NULL: all are. */
+    /* Indexed by place: only places whose entry equals `wave` are drawn; NULL: all are drawn. */
     const unsigned char *waves;
     int wave;
     /* Draws alpha-tested surfaces, by their own programs or by `kept`. */
     bool cut;
     /* Omits surfaces of constant transmittance: exact shadows handle them by triangles. */
     bool varying;
-    /* How surfaces that the picture ray-marches are ray-marched here; NULL: their grids are
+    /* Settings for ray marching the surfaces that the picture ray-marches; NULL: their grids are
      * drawn. */
     const GpuSceneLightTrace *traced;
 } GpuSceneLight;

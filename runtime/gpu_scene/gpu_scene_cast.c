@@ -131,7 +131,7 @@ static bool is_traced(const GpuScene *gpu_scene, const GpuSceneLight *light,
            gpu_scene->traced[place->kind].store && trace && !trace->parallax;
 }
 
-/* The light's clip space with the camera's eye. */
+/* Returns the light's clip space with the camera's eye. */
 static Spaces spaces_of(const GpuSceneSource *source, const GpuSceneLight *light)
 {
     Spaces spaces = source->space->spaces;

@@ -97,7 +97,7 @@ static bool make_displaced(Store *store, const GpuSceneSource *source, GpuScene 
     if (!displaced_make(store, source->scene, source->compile, number, &gpu_scene->displaced[mesh]))
         return material_set_fail(gl, source->scene, from->patches->material);
     if (displaced_by_view(&gpu_scene->displaced[mesh]))
-        return true; /* gpu_scene_mesh_view follows, which knows all objects */
+        return true; /* defers to gpu_scene_mesh_view(), which knows all objects */
     if (!displace(
             &(DisplacedView){
                 source->scene, {source->size[0], source->size[1]}, {0}, {0}, {.count = 0}},
@@ -139,7 +139,8 @@ bool gpu_scene_mesh_view(GlContext *gl, const GpuSceneSource *source, GpuScene *
         source->scene, {source->size[0], source->size[1]}, {0}, {0}, {.count = 0}};
     double grounds[GROUNDS_MAX][4];
     bool fine = true;
-    if (gpu_scene_mesh_by_lights(gpu_scene) && !gpu_scene->plane_count) /* a plane is infinite */
+    /* with an infinite plane no box bounds the scene */
+    if (gpu_scene_mesh_by_lights(gpu_scene) && !gpu_scene->plane_count)
         find_box(source, gpu_scene, view.low, view.high);
     if (source->alone && source->volume && !source->triangles) {
         view.sight = (SceneFrustums){.planes = source->volume->planes,

@@ -4,7 +4,7 @@
 #include "runtime/gpu_scene/gpu_scene.h"
 #include <stdlib.h>
 
-/* Depth of the center of an object's box along the view; larger is nearer. */
+/* Returns the depth of the center of an object's box along the view; larger is nearer. */
 static double nearness(const GpuSceneSource *source, const CullBox *box, int object)
 {
     const double *eye = source->space->eye_from_world,

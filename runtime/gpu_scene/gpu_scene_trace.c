@@ -103,7 +103,7 @@ static void draw_hulls(GlContext *gl, const GpuScene *gpu_scene, int mesh, const
     mesh_draw_instances(gl, &trace->hulls, range[0], range[1]);
 }
 
-/* Size of a pixel in clip space. */
+/* Computes the size of a pixel in clip space. */
 static void find_pixel(const GpuSceneSource *source, float pixel[2])
 {
     for (int i = 0; i < 2; i++)
@@ -169,7 +169,7 @@ void gpu_scene_trace_surfaces(GlContext *gl, const GpuSceneSource *source, GpuSc
 
 /* -- shadow maps */
 
-/* Determinant of three columns of rows x, y and w of a matrix. */
+/* Returns the determinant of three columns of rows x, y and w of a matrix. */
 static double minor_of(const double m[16], int a, int b, int c)
 {
     static const int rows[3] = {0, 1, 3};

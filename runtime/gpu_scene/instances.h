@@ -8,7 +8,7 @@
 
 enum { INSTANCE_MATRICES = 0, INSTANCE_NUMBERS = 1 }; /* binding points of storage buffers */
 
-/* An element of matc_instances. */
+/* An element of the array matc_instances. */
 typedef struct {
     float world_from_local[16];
     float world_normal_from_local[3][4];

@@ -55,17 +55,17 @@ const LayoutRow *material_set_layout(const MaterialSet *set, const MatcOptions *
     for (int i = 0; compile_options->layout && i < LAYOUT_COUNT; i++)
         if (!strcmp(layout_table[i].name, compile_options->layout))
             return &layout_table[i];
-    return &layout_table[LAYOUT_compact]; /* the default layout of programs in GLSL 3.30 and 4.50 */
+    return &layout_table[LAYOUT_compact]; /* default layout of programs in GLSL 3.30 and 4.50 */
 }
 
-enum { MAX_MEMBERS = 1024 /* vec4 members of a buffer: every driver allows 16 KiB */ };
+enum { MAX_MEMBERS = 1024 /* max vec4 members of a buffer: every driver allows 16 KiB */ };
 
 typedef struct {
     GlContext *gl;
     const Scene *scene;
     MatcOptions options;
     MaterialSet *set;
-    int *last; /* by first program of a text: the last one */
+    int *last; /* indexed by the first program of a text: the last one */
 } Maker;
 
 /* Returns the pass that draws an object. */
@@ -382,7 +382,7 @@ static bool write_text(Maker *m, int first)
     const int count = matc_place_count(set->programs[first].program);
     int *members = malloc((size_t)count * sizeof *members + 1);
     int found = members ? find_members(set, first, members, count) : -1;
-    if (found > MAX_MEMBERS) { /* too many: only programs with equal constants share */
+    if (found > MAX_MEMBERS) { /* too many members: only programs with equal constants share */
         part(m, first, true);
         found = 0;
     }
@@ -415,12 +415,12 @@ bool material_set_make(GlContext *gl, const Scene *scene, const MatcOptions *com
     Maker maker = {.gl = gl, .scene = scene, .options = *compile_options, .set = made};
     *made = (MaterialSet){.target = gl->major * 10 + gl->minor >= 45 ? "glsl450" : "glsl330",
                           .uses = uses};
-    maker.options.slot = "transparency"; /* the slot of the pass value */
+    maker.options.slot = "transparency"; /* slot that the pass value outputs */
     made->instances = !strcmp(made->target, "glsl450") && instances_supported(gl);
     maker.options.target = made->target;
     maker.options.instances = made->instances;
     maker.options.moved = scene->displaced > 0;
-    maker.options.validate = false; /* the driver validates */
+    maker.options.validate = false; /* the driver validates the programs */
     const bool fine = make(&maker);
     free(maker.last);
     if (fine)

@@ -6,36 +6,36 @@
 #include "runtime/gl/context.h"
 #include "runtime/scene/scene.h"
 
-#define SET_SHEET "sheet" /* the pass plane, with transparency as its only slot */
+#define SET_SHEET "sheet" /* name of the pass plane with transparency as its only slot */
 
 typedef struct {
-    int material; /* in Scene.materials */
+    int material; /* index in Scene.materials */
     /* "gbuffer", "plane", "sky"; for shadow casters "shadow", "value", or, for planes,
      * SET_SHEET. */
     const char *pass;
-    bool transparent; /* at least in some fragments */
+    bool transparent; /* at least some fragments are transparent */
     /* Index of the program that casts its shadows; -1: none of its own. A plane has one if its
      * transmittance varies. */
     int caster;
     /* Index of the alpha-tested program, of the pass "shadow", which discards fragments that
      * transmit more than half of the light; -1: none. */
     int cut;
-    MatcProgram *program; /* its constants, textures and uniforms */
-    /* Index of the program with the shared text: this one, or an earlier one. */
+    MatcProgram *program; /* the program's constants, textures and uniforms */
+    /* Index of the program that has the shared text: this program, or an earlier one. */
     int text;
     int next;         /* next program with the same text; -1: none */
     int row;          /* index among the programs of that text */
     int other;        /* another program of the material, its index + 1; 0: none */
     bool even;        /* transmittance is constant over the surface */
-    float through[3]; /* that transmittance, RGB */
+    float through[3]; /* the constant transmittance, RGB */
 } PassProgram;
 
-/* How transparent surfaces cast shadows. */
+/* Kinds of shadows that transparent surfaces cast. */
 typedef enum {
-    SET_CASTS_none, /* not at all */
-    /* Like opaque ones where they transmit at most half of the light; elsewhere not. */
+    SET_CASTS_none, /* transparent surfaces cast no shadows */
+    /* opaque shadows where a surface transmits at most half of the light; no shadow elsewhere */
     SET_CASTS_cut,
-    SET_CASTS_colored /* colored by their transmittance */
+    SET_CASTS_colored /* shadows are colored by the surfaces' transmittance */
 } MaterialSetCasts;
 
 /* Programs to make in addition to those that draw the picture. */
@@ -47,7 +47,7 @@ typedef struct {
 } MaterialSetUses;
 
 typedef struct {
-    MatcLayout *layout; /* NULL: a built-in layout */
+    MatcLayout *layout; /* read or automatic layout; NULL: a built-in one */
     /* Layout of the pass SET_SHEET: transmittance as three floats; NULL if no program has that
      * pass. */
     MatcLayout *sheet;
@@ -55,7 +55,7 @@ typedef struct {
     /* GLSL that unpacks the layout's cases in use; NULL: the scene has no surface. */
     const char *unpack;
     PassProgram *programs;
-    int *of_material; /* by material: its last program, index + 1; 0: none */
+    int *of_material; /* indexed by material: its last program, index + 1; 0: none */
     int count;
     int texts; /* number of different texts */
     MaterialSetUses uses;

@@ -18,7 +18,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* By format: GLSL that packs a target's output into words, and unpacks words into a texel; %1$d
+/* Per format: GLSL that packs a target's output into words, and unpacks words into a texel; %1$d
  * is the target, %2$d its first word. */
 static const struct {
     const char *format;

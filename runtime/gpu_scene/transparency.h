@@ -18,17 +18,19 @@ enum {
     TRANSPARENCY_TEXT = 2048, /* max bytes of text that is generated for a layout */
     /* Words of a fragment in a list before its packed surface: the next fragment, the depth. */
     TRANSPARENCY_NODE_HEAD = 2,
-    TRANSPARENCY_STRIDE = 256, /* depth peeling: an object's range of triangle keys is a multiple */
-    TRANSPARENCY_LISTS = 2     /* binding point of the lists' storage buffer */
+    /* depth peeling: the size of an object's range of triangle keys is a multiple of the stride */
+    TRANSPARENCY_STRIDE = 256,
+    TRANSPARENCY_LISTS = 2 /* binding point of the lists' storage buffer */
 };
 
 /* GLSL around a material's programs, which redirects their output from the G-buffer to lists or
  * layers. */
 typedef struct {
     Transparency way;
-    bool instances;                  /* programs of surfaces use instancing */
-    char head[TRANSPARENCY_TEXT];    /* replaces the #version */
-    char tail[2][TRANSPARENCY_TEXT]; /* for surfaces, for planes: definitions that the body reads */
+    bool instances;               /* programs of surfaces use instancing */
+    char head[TRANSPARENCY_TEXT]; /* text that replaces the #version line */
+    /* definitions that the body reads, for surfaces and for planes */
+    char tail[2][TRANSPARENCY_TEXT];
     const char *body;
 } TransparencyText;
 

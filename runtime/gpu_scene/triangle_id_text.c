@@ -20,7 +20,7 @@ void triangle_id_text_make(const GlContext *gl, const MaterialSet *set, const Tr
              targets, made->instances ? "#define SEEN_INSTANCES\n" : "");
 }
 
-/* Returns the text after its #version line. */
+/* Returns the GLSL text after the #version line. */
 static const char *rest_of(const char *text)
 {
     const char *end = strchr(text, '\n');

@@ -9,7 +9,8 @@ enum { SEEN_TEXT_DEFINED = 96 };
 
 /* GLSL that writes the word. */
 typedef struct {
-    const char *fragment; /* writes to location SEEN_TARGET; its main() calls surfaceMain() */
+    /* text that writes to location SEEN_TARGET; its main() calls surfaceMain() */
+    const char *fragment;
     /* reads seen_place, the index of the object's place: an input if SEEN_INSTANCES is defined,
      * else a uniform */
     bool places;

@@ -101,7 +101,7 @@ void view_space_parallels(const SceneCamera *camera, const int size[2], const Sc
 {
     const double edge_on = 1e-6, shorter = size[0] < size[1] ? size[0] : size[1], *m = plane->m;
     const double *axes[3] = {camera->back, camera->right, camera->up};
-    /* Centers of the picture, of its right border, and of its upper border. */
+    /* centers of the picture, of its right border, and of its upper border */
     double normal[3], points[3][3];
     vec3_cross(m, m + 4, normal);
     vec3_normalize(normal);
@@ -124,7 +124,7 @@ void view_space_parallels(const SceneCamera *camera, const int size[2], const Sc
     }
 }
 
-/* Transforms a point, w 1, or a direction, w 0. */
+/* Transforms a point (w 1) or a direction (w 0) to eye space. */
 static void to_eye(const ViewSpace *space, const double from[3], double w, float out[4])
 {
     const double *m = space->eye_from_world;

@@ -7,12 +7,12 @@
 #include "runtime/scene/scene.h"
 
 typedef struct {
-    Spaces spaces; /* world_from_local is the identity */
+    Spaces spaces; /* spaces of the view; world_from_local is the identity */
     /* Ray of pixel p: (2 p + 1 - zw) xy are x and y of its direction at z = -1; in an
      * orthographic view, of its origin. zw: the picture's size, minus twice the first pixel of
      * the tile. */
     float ray[4];
-    /* x: near, or the depth of an orthographic view; y: 1 if orthographic. */
+    /* x: near distance, or depth of an orthographic view; y: 1 if orthographic */
     float depth[4];
     double eye_from_world[16];
 } ViewSpace;
@@ -31,7 +31,7 @@ void view_space_place(ViewSpace *space, const int size[2], const int at[2]);
 enum {
     VIEW_SPACE_PLAIN,  /* points without a cone and without shadows: two texels each */
     VIEW_SPACE_POINTS, /* other points, and directional lights */
-    VIEW_SPACE_KINDS,  /* first of the kinds with GLSL of their own, by index in light_kind_table */
+    VIEW_SPACE_KINDS,  /* first light kind with GLSL of its own, by index in light_kind_table */
     VIEW_SPACE_SECTIONS = VIEW_SPACE_KINDS + LIGHT_KINDS_MAX
 };
 /* Returns the section of a light; VIEW_SPACE_SECTIONS for ambient lights, which have no texels.

@@ -10,7 +10,8 @@
 /* Max guard band in pixels; a picture that needs more is not tiled. */
 enum { MARGIN_MAX = 192, AT_ONCE = -1 };
 
-/* Max length of a ray in screen space, or whose hit takes light from the screen; in world units. */
+/* Returns the max length of a ray in screen space, or whose hit takes light from the screen; in
+ * world units. */
 static double reach_of(const Renderer *renderer)
 {
     const unsigned reads = indirect_method(renderer)->reads;
@@ -64,7 +65,7 @@ static bool is_whole(const Renderer *renderer)
 
 int indirect_margin(const Renderer *renderer)
 {
-    const double off = 2; /* rays begin off their pixel's center */
+    const double off = 2; /* max pixels between a ray's start and its pixel's center */
     const double reach = reach_of(renderer),
                  pixels = is_whole(renderer) ? INFINITY : pixels_of(renderer, reach);
     const double margin = ceil(pixels + (reach > 0 ? off : 0)) + pass_denoise_reach(renderer);

@@ -25,7 +25,7 @@ const char *backdrop_light_text(const Renderer *renderer)
 void backdrop_set(const Renderer *renderer, bool light, ScreenPass *pass)
 {
     enum { TILE = 16 };
-    const double most = 1e4; /* keeps the scaled backdrop within half floats */
+    const double most = 1e4; /* limit that keeps the scaled backdrop within half floats */
     const Scene *scene = renderer->scene;
     const bool tiles = scene->tiles && (light || !scene->glow);
     const double share = 1 / scene->exposure;

@@ -2,7 +2,7 @@
 // scene.def. A position is the center of a sample in the picture.
 layout(std140) uniform Backdrop {
     vec4 backdrop_place; // the tile's corner in the picture, and the picture's size
-    float backdrop_tile; // edge of a tile; 0: a glow
+    float backdrop_tile; // edge of a checker tile; 0: the backdrop is a glow
     float backdrop_share; // factor that exposure will cancel
 };
 #define BACKDROP

@@ -5,7 +5,7 @@
 // FAR_OTHERS, if some lights are not plain.
 layout(std140) uniform FarBudget {
     float far_relative; // max error relative to a pixel's light
-    float far_absolute; // max absolute error in addition
+    float far_absolute; // max absolute error, added to the relative error
     int far_row;        // number of blocks in a row
 };
 

@@ -30,7 +30,7 @@ struct Group {
 
 int farBlock() { return int(gl_WorkGroupID.y) * far_row + int(gl_WorkGroupID.x); }
 
-// First float of a group's numbers, and first word of its bits.
+// Returns the first float of a group's numbers, and first word of its bits.
 int farPlace(int number) { return (farBlock() * FAR_GROUPS + number) * FAR_TEXELS * 4; }
 int farBits(int number) { return farBlock() * FAR_WORDS + FAR_MAP + number * FAR_MARKS; }
 

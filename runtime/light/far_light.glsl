@@ -5,11 +5,11 @@ layout(local_size_x = FAR_INVOCATIONS) in;
 // different memory banks
 const int GROUP = FAR_INVOCATIONS, PITCH = GROUP + 1;
 
-shared float far_group[GROUP_NUMBERS]; // the layout of pass_groups.glsl
+shared float far_group[GROUP_NUMBERS]; // numbers of a group in the layout of pass_groups.glsl
 
 int farCount() { return light_plain + light_points; }
 
-// Min and max transmittance of a spot's cone over the group.
+// Returns the min and max transmittance of a spot's cone over the group.
 vec2 farCone(int light, vec3 way, float ratio)
 {
     vec2 cone = lightTexel(light, LIGHT_CONE).xy;

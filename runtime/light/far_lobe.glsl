@@ -34,14 +34,14 @@ bool farExpands(Far far) { return far.whole && far.ratio <= NEAREST && far.least
 // r = n = L, k = 2, and a point at q = 0.1 to the side: F is 1.01^(-5/2) = 0.975, the linear part
 // 1; the error of 0.025 is within its bound of 0.119, which ignores the direction of p - c.
 struct Lobe {
-    // for specular reflectance 1 and power 1: max of F, and max error of its linear part
+    // given specular reflectance 1 and power 1: max of F, and max error of its linear part
     float most, rest;
 };
 
 Lobe farLobe(Far far, Group group)
 {
     float q = far.ratio, nearer = 1.0 / (1.0 - q), k = group.exponent;
-    // cosine of the sum of the angles
+    // cosine of the sum of both angles
     float mirror = farCosines(group.mirror, sqrt(1.0 - q * q), q).x;
     vec2 cosines = farCosines(dot(far.way, group.view), mirror,
         sqrt(max(1.0 - mirror * mirror, 0.0)));

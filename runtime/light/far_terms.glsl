@@ -30,7 +30,7 @@
 #define FAR_EACH(f) FAR_EACH_OF_24(f, 0) FAR_EACH_OF_24(f, 24)
 #define FAR_EACH_LOBE(f) f(0) f(1) f(2) f(3) f(4) f(5) f(6)
 
-// Max error of the terms, for a lamp of irradiance 1 at c.
+// Returns the max error of the terms, for a lamp of irradiance 1 at c.
 float farLeftOut(float q)
 {
     float nearer = 1.0 / (1.0 - q), qq = q * q;

@@ -50,9 +50,9 @@
 enum {
     MIN_HARDWARE = 128, /* min number of lights at which clustering is faster */
     MIN_SOFTWARE = 256,
-    MOST = 4096,        /* bits that fit into shared memory of a work group */
+    MOST = 4096,        /* max lights, as bits that fit into shared memory of a work group */
     BINDINGS = 6,       /* needed bindings of storage buffers: up to point 5 */
-    STORAGE_BLOCKS = 3, /* per program: two, and lists of transparent shadow casters */
+    STORAGE_BLOCKS = 3, /* blocks per program: two, and the lists of transparent shadow casters */
     /* Needed per program: six of a G-buffer, depth, lights, a sky, shadows, and the two buffers. */
     TEXTURES = 18
 };

@@ -25,7 +25,7 @@ typedef double Polynomial[POWERS][POWERS][3];
 /* Integrals of radiance times powers of the direction: of each even degree, and of degree 1. */
 typedef struct {
     Polynomial even[DEGREE / 2 + 1];
-    double odd[3][3]; /* [axis][color component] */
+    double odd[3][3]; /* integrals of degree 1, indexed by axis and color component */
 } Moments;
 
 bool light_sky_shines(const Scene *scene)

@@ -15,15 +15,16 @@ typedef struct {
 } LightTable;
 
 typedef struct {
-    GLuint map; /* a cube map in world space, with mipmaps; 0: no sky gives light */
-    float irradiance[SKY_WORLD][4]; /* the first elements of sky.layout.def */
-    bool uneven;                    /* radiance differs by direction */
-    float first[3];                 /* the sky's first texel, to which all others are compared */
+    GLuint map; /* cube map of the sky in world space, with mipmaps; 0: no sky gives light */
+    /* irradiance of the sky: the first elements of sky.layout.def */
+    float irradiance[SKY_WORLD][4];
+    bool uneven;    /* the sky's radiance differs by direction */
+    float first[3]; /* the sky's first texel, to which all others are compared */
 } SkyLight;
 
 /* State of pass_light_cluster.c, for light clustering. */
 typedef struct {
-    ScreenPass groups, near, gather; /* run in this order */
+    ScreenPass groups, near, gather; /* passes of light clustering, which run in this order */
     GLuint numbers, words;           /* storage buffers of far_blocks.glsl */
     GLuint texels, bits;             /* the buffers as buffer textures, for the pass light */
 } FrameFar;
@@ -32,7 +33,7 @@ struct FrameLight {
     ScreenPass pass;
     FrameFar far;
     LightTable table;
-    int counts[VIEW_SPACE_SECTIONS]; /* number of lights by section */
+    int counts[VIEW_SPACE_SECTIONS]; /* number of lights in each section */
     SkyLight sky;
 };
 #endif

@@ -6,7 +6,7 @@
 enum { GROUPS = LIGHT_FAR_GROUPS, TEXELS = LIGHT_FAR_TEXELS };
 _Static_assert((int)LIGHT_FAR_GROUP_NUMBERS <= 4 * (int)TEXELS, "both are kept in one place");
 
-/* per block */
+/* bytes of a block */
 static const size_t numbers_bytes = GROUPS * TEXELS * 4 * sizeof(float);
 
 LightFarWords light_far_words(const Renderer *renderer)

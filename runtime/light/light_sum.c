@@ -106,7 +106,8 @@ void light_sum_set(const Renderer *renderer, ScreenPass *pass)
         float numbers[VIEW_SPACE_AROUND][4];
         snprintf(count, sizeof count, "light_%s", light_kind_name(row));
         view_space_around(&renderer->space, renderer->scene, row, numbers);
-        if (row->from == LIGHT_FROM_around) /* a program has the block, or does not sum the kind */
+        /* the program has the block, or does not sum lights of this kind */
+        if (row->from == LIGHT_FROM_around)
             material_write(&pass->material, light_kind_name(row), numbers, sizeof numbers);
         else if (row->glsl && !is_around(row))
             material_set_number(&pass->material, count,

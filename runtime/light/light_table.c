@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { LEAST = 16 /* texels */ };
+enum { LEAST = 16 /* min size of the table in texels */ };
 
 /* Rounds up to a power of two, so that programs are shared by similar numbers of lights. */
 static int capacity_for(int texels)
@@ -85,7 +85,7 @@ void light_table_set(const Renderer *renderer, int unit, ScreenPass *pass)
     const LightTable *lights = &renderer->light->table;
     if (lights->texture)
         screen_pass_sampler(pass, "light_lights", unit);
-    if (fits_block(renderer)) /* a program has either the block or the texture */
+    if (fits_block(renderer)) /* the program has either the block or the texture */
         material_write(&pass->material, "Lights", lights->texels,
                        (size_t)lights->count * sizeof *lights->texels);
 }

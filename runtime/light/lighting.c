@@ -5,7 +5,7 @@
 #include "runtime/shadow/shadow.h"
 #include <stdio.h>
 
-/* Units after those of the G-buffer. */
+/* Texture units after those of the G-buffer. */
 enum { DEPTH_UNIT = FRAMEBUFFER_COLORS, LIGHTS_UNIT, SKY_UNIT, SHADOW_UNIT };
 _Static_assert(SHADOW_UNIT + SHADOW_UNITS == LIGHTING_UNITS, "units");
 

@@ -33,7 +33,7 @@ vec4 lightTexel(int light, int texel)
     return lightNumbers((light < light_plain ? LIGHT_PLAIN_TEXELS * light : others) + texel);
 }
 
-// Irradiance at a point from a point light without shadows, and the direction l to it.
+// Returns the irradiance at a point from a point light without shadows, and the direction l to it.
 vec3 lightPlain(int light, vec3 point, out vec3 l)
 {
     vec3 way = lightNumbers(LIGHT_PLAIN_TEXELS * light + LIGHT_PLACE).xyz - point;
@@ -42,7 +42,7 @@ vec3 lightPlain(int light, vec3 point, out vec3 l)
     return lightNumbers(LIGHT_PLAIN_TEXELS * light + LIGHT_POWER).xyz * (over * over);
 }
 
-// Irradiance at a point from any other light.
+// Returns the irradiance at a point from any other light.
 vec3 lightAt(int light, vec3 point, out vec3 l)
 {
     vec4 place = lightTexel(light, LIGHT_PLACE);
@@ -55,7 +55,7 @@ vec3 lightAt(int light, vec3 point, out vec3 l)
         (s * s * (3.0 - 2.0 * s) / (place.w > 0.0 ? square : 1.0));
 }
 
-// Radiance of a pixel without a surface.
+// Returns the radiance of a pixel without a surface.
 vec4 lightOfNothing(ivec2 pixel)
 {
 #ifdef BACKDROP
@@ -73,7 +73,7 @@ struct Seen {
     Lit m;
 };
 
-// Unit direction to the eye, through a pixel.
+// Returns the unit direction to the eye, through a pixel.
 vec3 lightToEye(ivec2 pixel)
 {
     return light_view.y > 0.0 ? vec3(0.0, 0.0, 1.0)
@@ -105,13 +105,14 @@ bool lightIsFirst()
 #endif
 }
 
-// Transmittance of a pass over the light below it: later runs only add light.
+// Returns the transmittance of a pass over the light below it: later runs only add light.
 vec3 lightOver(vec3 through)
 {
     return lightIsFirst() ? through : vec3(1.0);
 }
 
-// Reflected ambient light, unshadowed; a sum over kinds of lights, composed by light_sum.c.
+// Returns the reflected ambient light, unshadowed; a sum over kinds of lights, composed by
+// light_sum.c.
 vec3 lightAround(Seen seen);
 
 // Adds the reflected light of kinds with GLSL and a position; composed, too.
@@ -182,7 +183,7 @@ vec3 lightFromAll(Seen seen)
     return sum;
 }
 
-// Light of all lights.
+// Returns the light of all lights.
 vec3 lightOf(ivec2 pixel, float depth, Surface surface)
 {
     Seen seen = lightSeen(pixel, depth, surface);

@@ -22,14 +22,14 @@ typedef enum { LIGHTING_layers, LIGHTING_nearest, LIGHTING_around, LIGHTING_node
  * model and lighting.glsl. */
 enum { LIGHTING_PIECES = 7 };
 typedef struct {
-    const char *body[LIGHTING_PIECES]; /* NULL for unused pieces */
+    const char *body[LIGHTING_PIECES]; /* texts of the body; NULL for unused pieces */
     bool over;                         /* the body defines passOver() */
-    int block;                         /* as in screen_pass.h */
+    int block;                         /* binding of a block, as in screen_pass.h */
     LightingOf of;
 } LightingText;
 enum {
     LIGHTING_UNITS = FRAMEBUFFER_COLORS + 10,
-    LIGHTING_FREE_UNIT = LIGHTING_UNITS /* for a texture of the pass itself */
+    LIGHTING_FREE_UNIT = LIGHTING_UNITS /* unit for a texture of the pass itself */
 };
 bool lighting_make(Renderer *renderer, const LightingText *text, ScreenPass *made);
 /* Backdrop: GLSL of backdropAt(), or "", for the pass tone, and for passes that light if the
@@ -63,7 +63,7 @@ void lighting_place(const Renderer *renderer, ScreenPass *pass);
 bool lighting_changed(Renderer *renderer, unsigned what, ScreenPass *pass);
 void lighting_moved(const Renderer *renderer, ScreenPass *pass);
 /* Runs a pass over the target light, once for each tile of shadow lists. The source has its
- * G-buffer and depth targets, and a texture of the pass itself, or 0. */
+ * G-buffer and depth targets, and a texture of the pass itself; 0: none. */
 typedef struct {
     FrameTarget surfaces, depth;
     GLuint own;

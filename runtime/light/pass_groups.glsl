@@ -5,7 +5,7 @@ uniform sampler2D light_depth;
 
 // invocations; sets of pixels per invocation
 const int GROUP = FAR_INVOCATIONS, SETS = FAR_MAP / GROUP;
-// per set: 8 apart, so that adjacent pixels belong to adjacent invocations
+// pixels per set: 8 apart, so that adjacent pixels belong to adjacent invocations
 const int PIXELS = FAR_SPAN * FAR_SPAN;
 
 // The pixel around which a group is built: its point, normal and mirrored view, and its specular
@@ -52,7 +52,7 @@ vec3 farBound3(int bound)
 
 // -- pixels
 
-// This invocation's i-th set.
+// Returns the number of this invocation's i-th set of pixels.
 int farSet(int i) { return i * GROUP + int(gl_LocalInvocationIndex); }
 
 ivec2 farPixel(int set, int k)
@@ -138,7 +138,8 @@ bool farIsAlike(Seen seen, Seed seed)
 void farSpread(int group, inout uint waiting[SETS], inout uint map[SETS])
 {
     bool last = group == FAR_GROUPS - 1, some = false;
-    Seed seed = far_seed; // one read: some drivers serialize reads of shared memory
+    // reads the shared seed once: some drivers serialize reads of shared memory
+    Seed seed = far_seed;
     vec3 high = vec3(-NEVER), low = high, even = high, dim = high, specular = high;
     float normal = -NEVER, above = normal, below = normal, mirror = normal, broad = normal,
         sharp = normal, behind = 0.0;

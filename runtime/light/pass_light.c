@@ -37,7 +37,7 @@ static void pass_light_draw(Renderer *renderer)
     const LightingSource source = {FRAME_TARGET_gbuffer, FRAME_TARGET_depth, 0};
     if (renderer->light->far.numbers)
         light_far_bind_read(renderer);
-    if (renderer->tiled) { /* runs over tiled lists add up */
+    if (renderer->tiled) { /* adds up the runs over tiled lists */
         framebuffer_use(renderer->gl, &renderer->targets.draws[FRAME_DRAW_light]);
         renderer->gl->ClearBufferfv(GL_COLOR, 0, (const float[4]){0});
     }

@@ -12,7 +12,8 @@ static bool pass_light_cluster_needed(const Renderer *renderer)
     return renderer->scene && light_far_used(renderer);
 }
 
-/* Makes one of the programs. `texts` follow the common text, the pass's own last. */
+/* Makes a program of the pass. Its text is the common text, followed by `texts`; the last of
+ * `texts` is specific to the program. */
 static bool make(Renderer *renderer, LightFarUse use, const char *const texts[3], ScreenPass *made)
 {
     char defined[LIGHT_FAR_DEFINITIONS];

@@ -11,7 +11,7 @@ vec4 farTexel(int i) { return texelFetch(far_texels, i); }
 
 uint farWord(int i) { return texelFetch(far_bits, i).x; }
 
-// Irradiance of distant lights at a point with a normal.
+// Returns the irradiance of distant lights at a point with a normal.
 vec3 farIrradiance(int at, vec3 point, vec3 normal)
 {
     vec4 centre = farTexel(at + FAR_CENTER);

@@ -3,7 +3,7 @@
 const int PARTS = max(3 * PITCH, FAR_LIGHTS);
 
 shared float far_parts[PARTS];  // partial sums; later the lights' shares of the budget
-shared uint far_near[FAR_NEAR], far_linear[FAR_BITS]; // laid out by LightFarWords
+shared uint far_near[FAR_NEAR], far_linear[FAR_BITS]; // `far_near` has the layout of LightFarWords
 shared uint far_shares[32];     // histogram of the lights' shares of the budget
 
 // Lower bound of irradiance at each pixel of the group.
@@ -14,7 +14,8 @@ vec3 farSure(Far far)
     return far.power * (far.least * further * further * further);
 }
 
-// Max error if the light is summed together: the series' remainder, or all of its light.
+// Returns the max error if the light is summed together: the series' remainder, or all of its
+// light.
 vec3 farRest(Far far)
 {
     float q = far.ratio, nearer = 1.0 / (1.0 - q);
@@ -22,9 +23,9 @@ vec3 farRest(Far far)
     return far.power * (nearer * nearer * min(far.most * nearer, 1.0));
 }
 
-// Share of the error budget that a light takes if pixels do not sum it themselves; `even` and
-// `gloss` are reflectances over the budget. The lowest bit reports that specular light is expanded;
-// else specular light is omitted.
+// Returns the share of the error budget that a light takes if pixels do not sum it themselves;
+// `even` and `gloss` are reflectances over the budget. The lowest bit reports that specular light
+// is expanded; else specular light is omitted.
 float farShare(Far far, Group group, vec3 even, vec3 specular)
 {
     if (far.ratio > 0.9 || (group.behind && far.least < 0.0)) return NEVER;

@@ -24,7 +24,7 @@ const float AREA_PI = 3.14159265358979;
 // successive corners point inward.
 struct Area {
     vec3 corner, u, v;
-    float width; // twice its longer edge over the distance of its nearest corner
+    float width; // twice the light's longer edge over the distance of its nearest corner
     bool seen;   // false: the point sees the back side, or is in the light's plane
 };
 
@@ -43,7 +43,7 @@ Area areaSeen(vec3 corner, vec3 u, vec3 v, bool bothSides)
     u *= scale;
     v *= scale;
     vec3 face = cross(u, v);
-    float height = dot(face, corner); // above 0: the point is behind the light
+    float height = dot(face, corner); // height above 0: the point is behind the light
     bool turned = bothSides && height > 0.0;
     return areaMeasured(corner, turned ? u : v, turned ? v : u,
         (bothSides ? abs(height) : -height) > 1e-6 * length(face));
@@ -202,7 +202,7 @@ float areaArc(vec3 a, vec3 step_, vec3 normal, vec3 w, float exponent)
     float off = dot(w, m), square = off * off;
     vec3 near = w - off * m;
     float along = dot(near, near);
-    if (along < 1e-10) near = a; // all of the arc is perpendicular to w
+    if (along < 1e-10) near = a; // the whole arc is perpendicular to w
     vec3 beside = cross(m, near);
     float r = min(sqrt(square + 4.0 / (exponent + 1.0)), 1.0);
     float first = atan(dot(beside, a), r * dot(near, a)),
@@ -212,7 +212,8 @@ float areaArc(vec3 a, vec3 step_, vec3 normal, vec3 w, float exponent)
     for (int i = 0; i < 8; i++) {
         float t = middle + (i < 4 ? half_ : -half_) * PLACE[i & 3];
         float c = cos(t), s = r * sin(t), rate = 1.0 / (c * c + s * s);
-        float q = min(square + along * s * s * rate, 1.0); // q = 1 - (w.u)^2
+        // squared sine of the angle between w and u: q = 1 - (w.u)^2
+        float q = min(square + along * s * s * rate, 1.0);
         float logarithm = areaLogarithm(q), x = 0.5 * exponent * q * logarithm;
         float h = x < 0.05 ? 0.5 * exponent * logarithm *
             (1.0 - x * (0.5 - x * (1.0 / 6.0 - x / 24.0)))
@@ -251,7 +252,8 @@ struct AreaSide {
     vec3 normal, even;        // the side's normal, and its diffuse share
     vec3 specular, axis, across; // specular lobe: gloss max(axis.l, 0)^exponent across.l
     float exponent;
-    mat3 into; // if the exponent is negative: maps the side's normal to z, or a lobe's directions
+    // valid if the exponent is negative: maps the side's normal to z, or a lobe's directions
+    mat3 into;
 };
 
 AreaSide areaPowers(vec3 normal, vec3 even, vec3 specular, vec3 axis, vec3 across, float exponent)

@@ -14,11 +14,11 @@ typedef struct {
     double position[3];
     double direction[3];               /* direction of emission; unit length */
     double light[3];                   /* emitted color: intensity times color */
-    double ground[3];                  /* hemispheres: emitted color from below */
+    double ground[3];                  /* emitted color of a hemisphere light from below */
     double inner_cosine, outer_cosine; /* cosines of a spot's cone angles: inner >= outer */
     double edges[2][3];                /* edge vectors of an area light */
     bool both_sides;                   /* an area light also emits to the back */
-    const char *name;                  /* NULL: unnamed */
+    const char *name;                  /* the light's name; NULL: unnamed */
     /* The technique of the shadows that the light causes: KEYWORD_Shadows_none, ... */
     Keyword shadows;
 } SceneLight;
@@ -30,9 +30,9 @@ typedef enum {
     LIGHT_FROM_afar,  /* parallel light along its direction */
     /* light from a parallelogram: position + s edges[0] + t edges[1], s and t from 0 to 1 */
     LIGHT_FROM_extent,
-    /* light from all directions, without shadows; lights of the kind are summed */
+    /* light from all directions, without shadows; all lights of the kind are summed */
     LIGHT_FROM_around,
-    LIGHT_FROM_sky /* the scene's sky: no SceneLight, scales Scene.sky_light */
+    LIGHT_FROM_sky /* light from the scene's sky: no SceneLight, scales Scene.sky_light */
 } LightFrom;
 
 /* The numbers that a document gives a light, or their defaults, by their indices in the kind's
@@ -42,7 +42,7 @@ typedef struct {
     double at[SCENE_KIND_PARAMS][3];
 } LightParams;
 
-/* An invalid parameter value; `text`: quoted in the message, or NULL. */
+/* An invalid parameter value. `text` is quoted in the message; NULL: nothing is quoted. */
 typedef struct {
     DiagKind diag;
     int param;

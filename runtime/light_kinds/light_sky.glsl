@@ -54,7 +54,7 @@ vec3 skyLobe(vec3 normal, vec3 w, float exponent)
         float cosine = pow(share, 1.0 / (exponent + 1.0));
         float sine = sqrt(max(1.0 - cosine * cosine, 0.0));
         vec3 u = cosine * axis + sine * (cos(turn) * aside + sin(turn) * across);
-        // solid angle
+        // solid angle per sample
         float angle = 2.0 * SKY_PI * cosine / ((exponent + 1.0) * float(SKY_SAMPLES) * share);
         float level = 0.5 * log2(angle * 6.0 * texels * texels / (4.0 * SKY_PI));
         sum += textureLod(sky_map, u, max(level, 0.0)).xyz * max(dot(n, u), 0.0);

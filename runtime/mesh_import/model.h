@@ -12,13 +12,13 @@ enum {
     MODEL_RUNS = 1 << 20,
     MODEL_NO_MATERIAL = INT32_MAX,
     MODEL_SECONDS = 30,     /* CPU time limit of reading */
-    MODEL_MEMORY_MIB = 4096 /* memory limit of reading */
+    MODEL_MEMORY_MIB = 4096 /* max memory for reading a file, in MiB */
 };
 
 /* Consecutive triangles that share a material. */
 typedef struct {
     int material;    /* index in the file; MODEL_NO_MATERIAL: glTF triangles without material */
-    int index_count; /* three per triangle */
+    int index_count; /* number of indices, three per triangle */
 } ModelRun;
 
 /* Reads all triangles of an OBJ, glTF 2 (.gltf, .glb) or PLY file. Rotates OBJ and glTF meshes
@@ -46,7 +46,7 @@ typedef struct {
     /* Folder that must contain the mesh and all files it refers to (root.h). NULL: no
      * restriction. */
     const char *root;
-    bool whole; /* read a single part with material -1, ignoring the materials */
+    bool whole; /* read the file as a single part with material -1, ignoring the materials */
 } ModelSource;
 /* Reads a mesh at its original position and size, in parts as model_read_parts(). */
 bool model_read_source(const ModelSource *source, ModelPart **made, int *count, char *error,

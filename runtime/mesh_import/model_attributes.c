@@ -27,10 +27,10 @@ typedef struct {
     GltfPlace place;
     const Tree *root;
     ModelAttributes *made;
-    size_t vertices; /* total of all primitives with such attributes */
+    size_t vertices; /* number of vertices of all primitives with such attributes */
     char *error;
     size_t capacity;
-    char where[PLACE]; /* "meshes/0/primitives/1" */
+    char where[PLACE]; /* path of the primitive for messages, such as "meshes/0/primitives/1" */
 } Reader;
 
 /* A validated accessor. */
@@ -106,7 +106,8 @@ static const char *find_accessor(const Reader *r, const Tree *index, size_t coun
     made->normalized = is_text(gltf_file_value(accessor, "normalized"), "true");
     if (!made->components)
         return "its accessor's type is not SCALAR, VEC2, VEC3 or VEC4";
-    if (!bytes_of(component) || component == UNSIGNED_INT) /* not allowed for attributes */
+    /* unsigned ints are not allowed for attributes */
+    if (!bytes_of(component) || component == UNSIGNED_INT)
         return "its accessor's componentType is not byte, short or float (5120 to 5123, 5126)";
     if (gltf_file_whole(gltf_file_value(accessor, "count"), 0) != count)
         return "its accessor has another count than that of POSITION";

@@ -13,13 +13,13 @@ enum { MODEL_COORDINATES = 8 };
 /* Attributes of a glTF primitive. */
 typedef struct {
     size_t vertex_count;
-    /* by name, by vertex; NULL: the primitive lacks the attribute */
+    /* indexed by name, then by vertex; NULL: the primitive lacks the attribute */
     float (*values[SHAPE_NAMED])[4];
 } ModelPrimitive;
 
 typedef struct {
     ShapeNames names;
-    ModelPrimitive *primitives; /* of all meshes, in file order */
+    ModelPrimitive *primitives; /* primitives of all meshes, in file order */
     size_t count, capacity;
 } ModelAttributes;
 

@@ -87,8 +87,8 @@ static const ModelPrimitive *primitive_of(const Origin *from, unsigned i, size_t
     return primitive->vertex_count ? primitive : NULL;
 }
 
-/* Allocates the extra attributes that any mesh has. Meshes without such an attribute get white,
- * or 0. */
+/* Allocates the extra attributes that any mesh has. Meshes without such an attribute get white
+ * for colors and 0 for other attributes. */
 static bool make_extras(const struct aiScene *scene, const ModelAttributes *attributes,
                         size_t vertices, ModelParts *parts)
 {

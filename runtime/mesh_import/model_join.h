@@ -11,7 +11,7 @@ typedef struct {
     Shape *shape; /* the element after the last vertex is the candidate for model_join_add */
     int first;    /* earlier vertices belong to other meshes */
     HashIndex index;
-    uint32_t *joined; /* by corner: vertex index */
+    uint32_t *joined; /* indexed by corner: vertex index */
 } ModelJoin;
 
 /* Returns false if memory runs out. Call model_join_close in both cases. */

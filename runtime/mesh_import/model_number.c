@@ -30,7 +30,7 @@ static const char data[] = "data:application/octet-stream;base64,";
 
 /* Vertex numbers of all primitives, as one buffer, and the indices of the new glTF objects. */
 typedef struct {
-    const cJSON **accessors; /* of the original file */
+    const cJSON **accessors; /* accessors of the original file */
     int accessor_count;
     cJSON *list; /* array of accessors; new ones are appended */
     int view, added;

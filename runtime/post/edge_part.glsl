@@ -2,9 +2,9 @@
 // pixel on that side.
 uniform usampler2D edge_words;
 
-// Area of the unit box around a pixel center on the far side of a line. The line has slope s in
-// [-1, 1] and is `away` in [0, 1] from the center along the minor axis. If the line leaves through
-// two adjacent sides, the area is a triangle.
+// Returns the area of the unit box around a pixel center on the far side of a line. The line has
+// slope s in [-1, 1] and is `away` in [0, 1] from the center along the minor axis. If the line
+// leaves through two adjacent sides, the area is a triangle.
 float edgeArea(float away, float s)
 {
     float most = 0.5 - away + 0.5 * s, least = 0.5 - away - 0.5 * s;

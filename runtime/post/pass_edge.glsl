@@ -15,7 +15,7 @@ layout(std140) uniform Edge {
     int edge_count;
 };
 
-const int LINES = 1024; // per row of their texture
+const int LINES = 1024; // lines per row of the texture
 
 // Depth increases toward the camera. A line is hidden if the surfaces on both sides are nearer than
 // the line by these factors. Beside a crease seen at a grazing angle both sides may be slightly

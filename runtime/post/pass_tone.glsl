@@ -21,7 +21,7 @@ vec4 toneAt(ivec2 place)
     vec4 light = texelFetch(tone_light, place, 0);
 #ifndef TONE_LIGHT
 #ifdef BACKDROP
-    if (light.w <= 0.0) return vec4(backdropAt(place), 1.0); // background
+    if (light.w <= 0.0) return vec4(backdropAt(place), 1.0); // the pixel shows the background
 #endif
     light = vec4(clamp(toneMapped(toneGuard(light.xyz)), 0.0, 1.0), 1.0);
 #ifdef TONE_TOOLS

@@ -9,7 +9,7 @@
 bool pass_edge_needed(const Renderer *renderer);
 /* Returns the reason why the requested edge pass is missing; NULL: not requested, or present. */
 const char *pass_edge_missing(const Renderer *renderer);
-/* Returns whether the tools pass runs and has its render target. */
+/* Returns whether the tools pass runs and the frame has its render target. */
 bool pass_tools_enabled(const Renderer *renderer);
 /* Called by passes that blend transparent surfaces over the lit frame: make and draw the part
  * that attenuates the tools behind those surfaces. `text` is the pass's lighting text without

@@ -18,7 +18,7 @@ typedef struct {
     Material material;
     GLuint array, buffer; /* vertex array and vertex buffer of ToolVertex */
     int count;            /* number of vertices */
-    /* lines: light and tools target with depth; colors: tools target only */
+    /* `lines`: light and tools target with depth; `colors`: tools target only */
     Framebuffer lines, colors;
     /* attenuates tools behind transparent surfaces by their transmittance */
     ScreenPass veil;
@@ -30,7 +30,7 @@ struct FramePost {
     Measure measured, adapted;
     /* Results of both reductions merged over all tiles, as textures; 0: the picture is one tile. */
     GLuint whole[2];
-    float whole_texels[2][MEASURE_TEXELS][4]; /* contents of the textures `whole` */
+    float whole_texels[2][MEASURE_TEXELS][4]; /* copy of the texels of `whole` */
     FrameEdge edge;
     FrameTools tools;
 };

@@ -6,7 +6,7 @@
 //      luminance
 layout(std140) uniform Tone {
     float tone_exposure;
-    float tone_pixels; // number of pixels
+    float tone_pixels; // number of measured pixels
     vec4 tone_numbers;
 };
 

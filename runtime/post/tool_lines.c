@@ -6,7 +6,7 @@
 
 enum { CAPACITY = 64 };
 
-/* gray: sRGB 0.5; yellow: lights */
+/* gray is sRGB 0.5; yellow is for lights */
 static const float grey[3] = {.2140f, .2140f, .2140f}, yellow[3] = {1, .6f, .05f};
 
 typedef struct {

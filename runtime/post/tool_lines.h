@@ -4,15 +4,15 @@
 #include "runtime/gpu_scene/view_space.h"
 
 typedef struct {
-    /* In view space; w is 1 for lines in the world's plane z = 0, which get that plane's
-     * depth. */
+    /* Position in view space; w is 1 for lines in the world's plane z = 0, which get that
+     * plane's depth. */
     float point[4];
-    float color[3]; /* linear sRGB */
+    float color[3]; /* color in linear sRGB */
 } ToolVertex;
 
 /* Two vertices per line. At intersections, earlier lines are in front. */
 typedef struct {
-    ToolVertex *vertices; /* from malloc */
+    ToolVertex *vertices; /* array from malloc */
     int count, capacity;
 } ToolLines;
 

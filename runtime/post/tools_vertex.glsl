@@ -3,7 +3,7 @@ layout(location = 0) in vec4 tools_point;
 layout(location = 1) in vec3 tools_color;
 layout(std140) uniform Tools {
     vec4 tools_clip;   // scale of x, y and z, and offset of z
-    vec4 tools_w;      // w: factor of z, and offset
+    vec4 tools_w;      // clip space w: factor of z, and offset
     vec4 tools_ray;    // ViewSpace.ray of view_space.h
     vec4 tools_view;
     vec4 tools_ground; // the world's plane z = 0 in view space: dot(xyz, p) = w

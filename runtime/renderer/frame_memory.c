@@ -93,7 +93,7 @@ static size_t rows_in_memory(const Renderer *renderer, int width)
     const size_t memory = renderer->options.memory ? renderer->options.memory : RENDERER_MEMORY;
     const size_t block = (size_t)light_far_block(renderer), step = (size_t)step_of(renderer);
     const size_t across = ((size_t)width + block - 1) / block * block;
-    size_t down = step; /* least common multiple of both */
+    size_t down = step; /* least common multiple of both steps */
     while (down % block)
         down += step;
     return memory / (across * (size_t)frame_all_bytes(renderer)) / down * down;

@@ -6,7 +6,7 @@
 
 struct MatcScene {
     Scene *scene;
-    /* the caller's; owns the scene's memory, so it is freed after the scene */
+    /* document of the caller; owns the scene's memory, so it is freed after the scene */
     MatcDocument *document;
     /* capacities of arrays with additions; 0: nothing was added */
     size_t object_capacity, mesh_capacity, material_capacity;

@@ -19,10 +19,10 @@ struct MatcRenderer {
     GlContext *gl;
     Renderer *renderer;
     Scene *scene;       /* owned by the caller */
-    GLuint framebuffer; /* for reading the picture's texture; 0: not made yet */
+    GLuint framebuffer; /* framebuffer for reading the picture's texture; 0: not made yet */
 };
 
-#define DEGREE 0.017453292519943295 /* radians */
+#define DEGREE 0.017453292519943295 /* a degree in radians */
 enum {
     MAX_PLACE = 1 << 20, /* maximum offset of a rectangle in a framebuffer */
     MAX_SIDE = 16384     /* maximum side of a picture, the limit of `image:` in scene.def */
@@ -64,7 +64,8 @@ static bool open_renderer(MatcRenderer *r, const MatcRendererOptions *options, c
                                   .view = options->view,
                                   .width = options->width,
                                   .height = options->height,
-                                  /* a single tile, so that a texture holds the whole picture */
+                                  /* draws a single tile, so that a texture holds the whole
+                                   * picture */
                                   .memory = SIZE_MAX});
     return r->renderer || message_fail(error, capacity, "%s", r->gl->error);
 }

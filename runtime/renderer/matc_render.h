@@ -61,7 +61,7 @@ MATC_API const char *matc_scene_error(const MatcScene *scene);
  * it has none. */
 MATC_API const char *matc_scene_object_name(const MatcScene *scene, int object);
 /* Returns the first object after `after` (-1: the first of all) that has the name, or is in a
- * group of that name, such as "lamps"; -1 if none is left.
+ * group with the given name, such as "lamps"; -1 if none is left.
  *
  *     for (int i = -1; (i = matc_scene_find_object(scene, "lamps", i)) >= 0;)
  *         matc_scene_set_visible(scene, i, false); */
@@ -77,9 +77,9 @@ MATC_API int matc_scene_find_material(MatcScene *scene, const char *name);
  * coordinates, given or generated. */
 typedef struct {
     size_t size;            /* sizeof(MatcMesh), as the caller was compiled */
-    const float *positions; /* three per vertex, each below 1e18 */
-    const float *normals;   /* three per vertex; NULL: smoothed normals of the faces */
-    const float *texcoords; /* two per vertex; NULL: longitude and latitude */
+    const float *positions; /* three numbers per vertex, each below 1e18 */
+    const float *normals;   /* three numbers per vertex; NULL: smoothed normals of the faces */
+    const float *texcoords; /* two numbers per vertex; NULL: longitude and latitude */
     /* Three per triangle, counterclockwise from the front; NULL: each three vertices are a
      * triangle. */
     const unsigned *indices;
@@ -104,11 +104,11 @@ typedef struct {
     /* Returns the address of a GL function such as "glClear"; NULL if the driver lacks it. */
     MatcRendererProc (*load)(void *user, const char *name);
     void *user; /* passed to load */
-    /* How programs compute; NULL: the defaults. */
+    /* compile options of all programs; NULL: the defaults */
     const MatcOptions *compile;
     /* "final", the picture (NULL), "light", "depth", or a slot such as "normal" */
     const char *view;
-    int width, height; /* of the picture; 0: the scene's size */
+    int width, height; /* size of the picture; 0: the scene's size */
 } MatcRendererOptions;
 
 /* Opens a renderer. Returns NULL on failure, with the reason in `error`, which holds `capacity`

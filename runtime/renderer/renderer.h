@@ -42,7 +42,7 @@ bool renderer_rebuild(Renderer *renderer, const Scene *scene);
  * the targets cannot be made. */
 bool renderer_resize(Renderer *renderer, int width, int height);
 /* Sets a parameter of a material, which is an index in scene->materials. Returns false if none
- * of its programs has a parameter of that name and number of components, 1 to 4. */
+ * of its programs has a parameter with the given name and number of components, 1 to 4. */
 bool renderer_param(Renderer *renderer, int material, const char *name, const float *components,
                     int count);
 /* Draws a frame. If nothing has changed since the previous frame, the only GL calls are those

@@ -61,7 +61,7 @@ static bool read_samples(Renderer *renderer, float *rgba)
         return reader_read(&renderer->reader, surface, renderer_find_slot(view), rgba) &&
                read_depth(renderer, false, rgba);
     memset(rgba, 0, 4 * sizeof *rgba * (size_t)renderer->size[0] * (size_t)renderer->size[1]);
-    return true; /* a scene without surfaces */
+    return true; /* the scene has no surfaces */
 }
 
 bool renderer_missing_view(const Renderer *renderer)

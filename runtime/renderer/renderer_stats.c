@@ -38,7 +38,7 @@ static const char *joined(Arena *arena, unsigned targets)
     return text.at;
 }
 
-/* Writes the table of passes; `times` of each pass, or NULL. */
+/* Writes the table of passes. `times` has the time of each pass; NULL: no times. */
 static void put_passes(Text *out, const Renderer *renderer, const RendererPassTime *times)
 {
     FramePlanRows made;
@@ -189,7 +189,7 @@ static void put_memory(Text *out, const Renderer *renderer)
     for (int i = 0; i < FRAME_TARGET_COUNT; i++) {
         const FrameTarget target = (FrameTarget)i;
         if (target == FRAME_TARGET_shadow)
-            continue; /* of their own sizes, so no bytes a pixel */
+            continue; /* shadow maps have their own sizes, so no bytes per pixel */
         Text formats = text_new(out->arena);
         text_put(&formats, "");
         for (int t = 0; frame_format(renderer, target, t); t++)
@@ -291,7 +291,7 @@ static double time_pass(Renderer *renderer, int pass)
 int renderer_time_passes(Renderer *renderer, RendererPassTime times[RENDERER_PASSES_MAX])
 {
     renderer->gl->Finish();
-    /* Draws kept maps again, so that their passes are measured like the others. */
+    /* Draws kept maps again, so that their passes are measured, too. */
     renderer->shadows->drawn = renderer->shadows->seen = renderer->voxels->drawn =
         renderer->radiance->drawn = false;
     for (int i = 0; i < frame_pass_count(); i++) {

@@ -18,7 +18,7 @@ enum {
     SCENE_PLACE = 1024 /* bytes of a place as text; longer file names are cut */
 };
 
-/* By columns, as in GL: m[4 * column + row]; the last row is 0, 0, 0, 1. */
+/* Affine transform. Stored by columns, as in GL: m[4 column + row]; the last row is 0, 0, 0, 1. */
 typedef struct {
     double m[16];
 } SceneMatrix;
@@ -46,13 +46,14 @@ typedef struct {
         /* Sphere: radius, detail; Box: size; Cylinder, Cone: radius, height, detail;
          * Parallelogram: u, v. */
         [SCENE_NUMBERS];
-    int mesh;     /* of a Mesh: index in Scene.meshes */
+    int mesh;     /* index in Scene.meshes if the object is a Mesh */
     int material; /* index in Scene.materials */
     /* The document gives no detail, so a large scene chooses it by the size in the picture:
      * scene_detail.h. */
     bool adapts;
-    const char *name; /* preceded by those of its groups, "lamps/bulb"; NULL: no name */
-    bool removed;     /* by the host: hidden for good, and the slot may be reused */
+    /* name, preceded by those of its groups, such as "lamps/bulb"; NULL: no name */
+    const char *name;
+    bool removed; /* removed by the host: hidden for good; the slot may be reused */
     /* Neither drawn nor casting shadows; after a change call renderer_changed_meshes(). */
     bool hidden;
     SceneMatrix world_from_local;
@@ -77,7 +78,7 @@ typedef struct {
 
 typedef struct {
     SceneKind kind; /* Turntable or Path */
-    int frames;     /* 0: no motion */
+    int frames;     /* number of frames; 0: no motion */
     double axis[3]; /* Turntable: a unit vector */
     double angle;   /* Turntable: over all frames, in radians */
     SceneKey *keys; /* Path: at least two, with ascending times */
@@ -86,14 +87,15 @@ typedef struct {
 
 typedef struct {
     bool grid, axes, lights;
-    int grid_cells; /* from the origin to each side */
+    int grid_cells; /* number of grid cells from the origin to each side */
     double grid_step, axes_length, light_size;
 } SceneTools;
 
 /* Settings of some displacement methods. */
 typedef struct {
-    Keyword skirts; /* KEYWORD_Skirts_auto, ... */
-    Keyword symbol; /* method points: KEYWORD_Symbol_square, ... */
+    Keyword skirts; /* a KEYWORD_Skirts_... value, such as KEYWORD_Skirts_auto */
+    /* symbol of method points: a KEYWORD_Symbol_... value, such as KEYWORD_Symbol_square */
+    Keyword symbol;
     /* method points: share of the distance from a triangle's corners to its center */
     double spread;
     /* Method feedback: a triangle is divided while distance - near < detail * area. */
@@ -106,12 +108,13 @@ typedef struct {
 typedef struct {
     /* KEYWORD_Indirect_none: `indirect:` is missing, or selects none. */
     Keyword method;
-    /* rays 0: the scene was not read from a document, and has no indirect light. */
+    /* numbers of rays, samples and steps; rays 0: the scene has no document and no indirect light
+     */
     int rays, samples, steps;
     int history; /* number of frames that accumulate */
     /* Error of ambient occlusion at which sampling stops; 0: all samples are taken. */
     double error;
-    double radius, offset, thickness; /* 0: chosen automatically */
+    double radius, offset, thickness; /* lengths in world units; 0: chosen automatically */
     double contrast;
     Keyword weight, distribution, sequence, rotation, march, filter;
     /* Denoise radius in pixels; resolution divisor of the ray pass. */
@@ -124,62 +127,63 @@ typedef struct {
 
 /* An object or a group at the top level of the document. */
 typedef struct {
-    double at[3]; /* translation */
-    int number;   /* index in the list */
-    bool plane;   /* an infinite plane */
+    double at[3]; /* translation of the object or group */
+    int number;   /* index of the object or group in its list */
+    bool plane;   /* the object is an infinite plane */
 } SceneRoot;
 
 typedef struct SceneDisplacer SceneDisplacer;
 
 typedef struct Scene {
-    int width, height; /* pixels */
+    int width, height; /* size of the picture in pixels */
     double origin[3];  /* origin in world space of all positions below */
     SceneRoot *roots;
     int root_count;
     SceneCamera camera;
     SceneMotion motion;
-    double time; /* seconds, read by materials; MatcOptions.time */
+    double time; /* time in seconds, read by materials; MatcOptions.time */
     SceneObject *objects;
     int object_count;
     SceneLight *lights;
     int light_count;
-    SceneMaterial *materials; /* materials in use, each once */
+    SceneMaterial *materials; /* all used materials, without duplicates */
     int material_count;
     SceneMesh *meshes;
     int mesh_count;
-    int sky; /* index in materials, or -1 */
+    int sky; /* index of the sky material in `materials`; -1: none */
     /* Factor of the sky's radiance that lights the scene; the sun of a SunSkyLight is one of the
      * lights. */
     double sky_light[3];
-    SceneKind tone;         /* a kind of toneMapping */
-    double exposure;        /* a factor; 1 if the kind has none */
-    double tone_numbers[4]; /* ReinhardDevlin: its parameters; Drago: bias; Shoulder: knee */
+    SceneKind tone;  /* kind of tone mapping, from the sort toneMapping */
+    double exposure; /* exposure factor; 1 if the kind has none */
+    /* numbers of the tone mapping: ReinhardDevlin, its parameters; Drago, bias; Shoulder, knee */
+    double tone_numbers[4];
     /* Backdrop of pixels without a surface; with both, tiles appear only behind transparent
      * surfaces. */
     bool tiles, glow;
     int shadow_size;       /* edge of a shadow map in texels */
     int shadow_filter;     /* width of a shadow's edge in texels; 0: no filter */
-    int shadow_cascades;   /* shadow maps of a directional light */
+    int shadow_cascades;   /* number of shadow maps of a directional light */
     int shadow_points;     /* sample points of an Area along each edge, a shadow map each */
-    Keyword shadow_volume; /* shadow volumes: KEYWORD_Volume_plain, ... */
-    Keyword shadow_path;   /* source of their vertices' depths: KEYWORD_Path_auto, ... */
+    Keyword shadow_volume; /* variant of shadow volumes: a KEYWORD_Volume_... value */
+    Keyword shadow_path;   /* source of the volumes' vertex depths: a KEYWORD_Path_... value */
     double shadow_offset;  /* depth offset of a blurred shadow volume, in texels */
     /* the centers of the outermost texels are taken to lie at the map's edge */
     bool shadow_stretched;
     bool shadow_colored; /* transparent surfaces color the light that they transmit */
     int displaced;       /* number of objects with displaced meshes: scene_displace.c */
     SceneDisplacer *displacer;
-    Keyword displaced_by; /* method: KEYWORD_Displacing_mesh, ... */
+    Keyword displaced_by; /* method of displacement: a KEYWORD_Displacing_... value */
     /* Max error in the picture by bisection, or max edge by other GPU methods, in pixels; 0: the
      * picture does not matter. */
     double displaced_pixels;
-    int displaced_level;     /* parts of an edge; 0: by displaced_triangles */
-    int displaced_triangles; /* approximate number of triangles of a displaced mesh, at least */
+    int displaced_level;     /* parts of a patch's edge; 0: chosen by displaced_triangles */
+    int displaced_triangles; /* approximate min number of triangles of a displaced mesh */
     SceneDividing dividing;
     int voxel_size; /* voxels along an edge of the grid: a power of two */
     SceneIndirect indirect;
     SceneTools tools;
-    MatcDocument **documents; /* other files with materials */
+    MatcDocument **documents; /* other documents from which materials were read */
     int document_count;
 } Scene;
 
@@ -194,8 +198,8 @@ const char *scene_volume_name(Keyword word);
 /* Sets the shadow method of all lights that cast shadows; area lights support only shadow maps,
  * so other methods leave them unchanged. */
 void scene_lights_shadow(Scene *scene, Keyword method);
-/* Like the functions for the list Shadows, for the list Indirect. */
-bool scene_indirect_is(const Scene *scene); /* has indirect light */
+/* Functions for the list Indirect, like those for the list Shadows. */
+bool scene_indirect_is(const Scene *scene); /* Reports whether the scene has indirect light. */
 bool scene_indirect_find(const char *name, Keyword *method);
 const char *scene_indirect_name(Keyword word);
 /* Plain shadow maps, the default of `shadows:`. */

@@ -47,7 +47,7 @@ bool scene_area_cut(const SceneCamera *camera, const SceneLight *light, SceneLig
     bool is_part = false;
     *cut = *light;
     if (!vec3_span(light->edges[0], light->edges[1]))
-        return false; /* degenerate: a line */
+        return false; /* the parallelogram degenerates to a line */
     find_foot(camera, light, along);
     for (int edge = 0; edge < 2; edge++) {
         const double middle = fmin(fmax(along[edge].at, 0), 1);

@@ -35,7 +35,7 @@ static void find_eyes(const Scene *scene, SceneDetail *detail)
 {
     const int wanted = scene->motion.frames > MIN_SAMPLES ? scene->motion.frames : MIN_SAMPLES,
               run = (wanted + SCENE_DETAIL_EYES - 1) / SCENE_DETAIL_EYES;
-    enum { PART = 64 }; /* max samples of a run */
+    enum { PART = 64 }; /* max samples in a run of the path */
     for (int eye = 0; eye < SCENE_DETAIL_EYES; eye++) {
         SceneDetailEye *made = &detail->eyes[detail->eye_count++];
         const int stride = (run + PART - 1) / PART;
@@ -58,7 +58,8 @@ void scene_detail_find(const Scene *scene, const int size[2], SceneDetail *detai
                  along = camera->half * sides[1] / shorter;
     const bool parallel = camera->kind == SCENE_Orthographic;
     *detail = (SceneDetail){.scene = scene, .pixels = shorter / 2 / camera->half};
-    if (!parallel) /* max at a corner of the picture, where a sphere becomes an ellipse */
+    /* the maximum occurs at a corner of the picture, where a sphere becomes an ellipse */
+    if (!parallel)
         detail->pixels *= 1 + across * across + along * along;
     if (scene->motion.frames) {
         find_eyes(scene, detail);
@@ -68,7 +69,7 @@ void scene_detail_find(const Scene *scene, const int size[2], SceneDetail *detai
     memcpy(detail->eyes[0].center, camera->position, sizeof camera->position);
 }
 
-/* Distance of a point from the segment a + t b, t from 0 to `most`. */
+/* Returns the distance of a point from the segment a + t b, t from 0 to `most`. */
 static double from_line(const double at[3], const double a[3], const double b[3], double most)
 {
     double way[3], near[3];
@@ -117,7 +118,8 @@ static double scene_detail_pixels(const SceneDetail *detail, const double center
     double nearest = INFINITY;
     if (!scene || !isfinite(radius))
         return INFINITY;
-    if (scene->camera.kind == SCENE_Orthographic) /* a lamp's shadow may fill the picture */
+    /* a lamp's shadow of a small object may fill the picture */
+    if (scene->camera.kind == SCENE_Orthographic)
         return is_magnified(scene) ? INFINITY : detail->pixels;
     for (int i = 0; i < detail->eye_count; i++) {
         const SceneDetailEye *eye = &detail->eyes[i];
@@ -129,8 +131,9 @@ static double scene_detail_pixels(const SceneDetail *detail, const double center
     return nearest > radius ? detail->pixels / (nearest - radius) : INFINITY;
 }
 
-/* With n steps a chord of a circle has an error of r (1 - cos(pi / n)). A sphere's cells are at
- * most squares of the same angle, so their centers have the error of half a diagonal. */
+/* Returns the number of steps of a circle. With n steps a chord has an error of r (1 - cos(pi /
+ * n)). A sphere's cells are at most squares of the same angle, so their centers have the error
+ * of half a diagonal. */
 int scene_detail_steps(SceneKind kind, double pixels)
 {
     const double part = kind == SCENE_Sphere ? sqrt(2) : 1;

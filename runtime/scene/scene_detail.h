@@ -16,9 +16,9 @@
 enum {
     /* max triangles of a scene that keeps full detail */
     SCENE_FINE_TRIANGLES = 1 << 19,
-    SCENE_HEAVY_TRIANGLES = 5000000, /* more triangles cause a warning */
+    SCENE_HEAVY_TRIANGLES = 5000000, /* number of triangles above which a warning is reported */
     SCENE_DETAIL_STEPS = 192,        /* steps of the finest level, the default of `detail` */
-    SCENE_DETAIL_LEVELS = 5,         /* 192, 96, 48, 24 and 12 steps */
+    SCENE_DETAIL_LEVELS = 5,         /* number of levels: 192, 96, 48, 24 and 12 steps */
     SCENE_DETAIL_EYES = 32           /* max bounding spheres of the camera's path */
 };
 #define SCENE_DETAIL_ERROR .125 /* max error of a coarser solid's silhouette, in pixels */
@@ -44,7 +44,8 @@ void scene_detail_find(const Scene *scene, const int size[2], SceneDetail *detai
 /* Returns the steps of the coarsest level whose silhouette is accurate enough, for a radius in
  * pixels. */
 int scene_detail_steps(SceneKind kind, double pixels);
-/* Index of a solid's steps in SceneObject.numbers; the solid must be a Sphere, Cylinder or Cone. */
+/* Returns the index of a solid's steps in SceneObject.numbers; the solid must be a Sphere,
+ * Cylinder or Cone. */
 static inline int scene_detail_number(SceneKind kind) { return kind == SCENE_Sphere ? 1 : 2; }
 /* A bounding sphere of an object in local space. */
 typedef struct {

@@ -7,7 +7,7 @@
 /* The mesh or solid that an object displaces. */
 typedef struct {
     SceneKind kind; /* SCENE_Plane: not displaced */
-    int mesh;       /* of a Mesh */
+    int mesh;       /* index of the mesh if kind is SCENE_Mesh */
 } SceneBase;
 
 /* A parameter of a material whose value differs from its document. */
@@ -20,23 +20,23 @@ typedef struct {
 
 struct SceneDisplacer {
     MatcOptions options;
-    Keyword method;     /* KEYWORD_Displacing_mesh, ... */
+    Keyword method;     /* a KEYWORD_Displacing_... value, such as KEYWORD_Displacing_mesh */
     bool processor;     /* the GPU cannot displace */
-    SceneViewSet seen;  /* cameras, if subdivision depends on them */
-    MatcMoves *moves;   /* by material */
-    SceneDetail detail; /* views, if detail depends on them */
+    SceneViewSet seen;  /* cameras on which subdivision depends, if any */
+    MatcMoves *moves;   /* what displacement depends on, indexed by material */
+    SceneDetail detail; /* views on which detail depends, if any */
     SceneBall *balls;   /* bounding spheres of imported meshes */
-    /* By material: max displacement, infinite if detail does not depend on the picture;
+    /* Indexed by material: max displacement, infinite if detail does not depend on the picture;
      * NULL: detail never does. */
     double *bounds;
-    SceneBase *bases; /* by object */
-    Key *keys;        /* by mesh of the scene: hash of its source */
-    int *users;       /* by mesh: number of objects that use it */
+    SceneBase *bases; /* shapes before displacement, indexed by object */
+    Key *keys;        /* indexed by mesh of the scene: hash of its source */
+    int *users;       /* indexed by mesh: number of objects that use the mesh */
     int first;        /* index of the first displaced mesh */
-    int vacant;       /* no unused mesh before this index */
+    int vacant;       /* every mesh before this index is used */
     SceneDisplacedParam *params;
     int param_count;
-    int fault; /* the material to which `why` belongs */
+    int fault; /* index of the material to which `why` belongs */
     const char *why;
 };
 #endif

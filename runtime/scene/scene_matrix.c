@@ -84,7 +84,8 @@ SceneMatrix scene_matrix_of(const Transform *transform)
         return of_components(transform); /* omitted components have neutral defaults */
     SceneMatrix result;
     for (int i = 0; i < 16; i++)
-        result.m[i] = transform->matrix[i % 4 * 4 + i / 4]; /* documents write matrices by rows */
+        /* transposes, since documents write matrices by rows */
+        result.m[i] = transform->matrix[i % 4 * 4 + i / 4];
     return result;
 }
 

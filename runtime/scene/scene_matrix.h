@@ -6,7 +6,7 @@
 #include "runtime/scene/scene.h"
 
 SceneMatrix scene_matrix_identity(void);
-/* a b: b is applied first */
+/* Returns the product a b, which applies b first. */
 SceneMatrix scene_matrix_multiply(const SceneMatrix *a, const SceneMatrix *b);
 /* Parts of a transformation, in order of application: shear, scale, rotation about x, y, z
  * (radians), translation. */

@@ -31,7 +31,7 @@ static void turn_camera(const SceneMotion *motion, double share, SceneCamera *ca
         camera->position[i] = camera->target[i] + from[i];
 }
 
-/* Component of key i: of its position, then of its target. */
+/* Returns a component of key i: of its position, then of its target. */
 static double number(const SceneMotion *motion, int i, int component)
 {
     const SceneKey *key = &motion->keys[i];

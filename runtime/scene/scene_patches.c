@@ -24,7 +24,7 @@ typedef struct {
 
 typedef struct {
     const Shape *shape;
-    const int *first; /* by vertex: the first at its position */
+    const int *first; /* indexed by vertex: the first vertex at its position */
     ScenePatches *made;
     Edge *edges;
     int edge_count;

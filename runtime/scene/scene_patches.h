@@ -15,7 +15,7 @@ typedef struct {
 } ScenePatch;
 
 typedef struct ScenePatches {
-    ShapeVertex *rows; /* the shape's vertices first */
+    ShapeVertex *rows; /* vertices, those of the shape first */
     ScenePatch *at;
     int row_count, count;
     Keyword method; /* keyword of the list Displacing */
@@ -23,15 +23,15 @@ typedef struct ScenePatches {
     SceneMatrix world_from_local;
     SceneDividing dividing;
     bool torn; /* the result is not watertight, even if the patches are */
-    /* All edges of a patch have as many parts as the one that needs the most, regardless of
+    /* Every edge of a patch gets the part count of the patch's most divided edge, regardless of
      * adjacent patches. */
     bool apart;
     double bound;    /* max displacement of a point in world units */
     double reach[3]; /* max displacement along the axes of local space */
-    int level;       /* parts of an edge; their max if they depend on the picture */
+    int level;       /* parts of an edge; max parts if they depend on the picture */
     /* Target edge length of the final triangles in pixels; 0: all edges have `level` parts. */
     double pixels;
-    int triangles; /* max number of final triangles in that case */
+    int triangles; /* max number of final triangles if parts depend on the picture */
 } ScenePatches;
 
 /* Makes patches of a shape with distinct vertices; fields after row_count are not set. Returns

@@ -7,7 +7,8 @@
 #include "runtime/scene/scene_matrix.h"
 #include <math.h>
 
-static const double out_of_view = 8; /* distance factor: still visible in mirrors and by shadows */
+/* distance factor for triangles out of view, which mirrors and shadows still show */
+static const double out_of_view = 8;
 /* scale of the picture's bounds: displaced points enter from outside */
 static const double rim = 1.1;
 

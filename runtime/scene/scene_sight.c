@@ -20,7 +20,8 @@ static const double widest = 4;
 /* A triangle whose points move by at most `bound`. */
 typedef struct {
     const double (*corners)[3];
-    double bound, low[3], high[3]; /* bounding box, including displacement */
+    /* max displacement, and the bounding box including displacement */
+    double bound, low[3], high[3];
 } SightTriangle;
 
 static SightTriangle triangle_of(const double corners[3][3], double bound)
@@ -98,11 +99,11 @@ static double far_from(const double at[3], const double low[3], const double hig
     return sqrt(square);
 }
 
-/* Margin of a shadow map: its filter, and the offset of points before the lookup. */
+/* Returns the margin of a shadow map: its filter, and the offset of points before the lookup. */
 static double spread_of(const SceneFrustums *sight, const SceneLight *light,
                         const SightTriangle *moved, double reach)
 {
-    enum { TAPS = 2, MORE = 4 /* texels per filter width, and in addition */ };
+    enum { TAPS = 2, MORE = 4 /* texels per filter width; texels in addition */ };
     const double size = sight->casts->shadow_size,
                  texels = TAPS * sight->casts->shadow_filter + MORE;
     if (light_from(light) == LIGHT_FROM_afar)

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define HASH_FACTOR 0x9E3779B1u /* 2^32 / golden ratio */
+#define HASH_FACTOR 0x9E3779B1u /* hash factor: 2^32 / golden ratio */
 
 static int fail(SceneReader *r)
 {

@@ -98,7 +98,7 @@ static bool read_members(SceneReader *r, const Tree *tree, bool (*skips)(const c
 bool scene_node_read(SceneReader *r, Tree *tree, SceneSort sort, SceneNodeDesc *desc)
 {
     if (tree->failed)
-        return false; /* an alias whose errors were reported already */
+        return false; /* the errors of this alias were already reported */
     const int kind = scene_check_kind(r->session, tree, sort);
     desc->kind = (SceneKind)(kind < 0 ? 0 : kind);
     desc->tree = tree;

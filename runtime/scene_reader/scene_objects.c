@@ -10,7 +10,7 @@
 /* Properties that a group passes on to its members. */
 typedef struct {
     SceneMatrix world_from_group;
-    int material;     /* -1: none */
+    int material;     /* index of the material; -1: none */
     int depth;        /* number of enclosing groups and instances */
     const char *name; /* names of the enclosing groups, joined by '/'; NULL: no names */
 } Around;
@@ -177,7 +177,7 @@ static bool push_object(SceneReader *r, const SceneNodeDesc *desc, SceneObject o
     if (!scene_triangles_add(r, desc, &object))
         return false;
     size_t count = (size_t)scene->object_count;
-    r->origin_count = count; /* objects outside the scene have been removed again */
+    r->origin_count = count; /* removes the origins of the objects outside the scene */
     ARENA_PUSH(r->session->arena, r->origins, r->origin_count, r->origin_capacity,
                desc->tree->span);
     ARENA_PUSH(r->session->arena, scene->objects, count, r->object_capacity, object);

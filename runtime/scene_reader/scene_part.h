@@ -17,7 +17,7 @@ Tree *scene_definition_find(SceneReader *r, const Tree *name);
 Tree *scene_definition_unused(const SceneReader *r, uint32_t i);
 /* Returns `defs:` without objects: only maps and materials. */
 Tree *scene_definition_others(SceneReader *r, Tree *defs);
-/* scene_light.c */
+/* Reads the document's lights. scene_light.c */
 void scene_lights_read(SceneReader *r, const Tree *list);
 /* Adds the sun of a Sky light, after all materials are resolved. scene_sun.c */
 void scene_sun_add(SceneReader *r);

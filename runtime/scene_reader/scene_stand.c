@@ -44,8 +44,8 @@ typedef struct {
     SceneStand *stand;
     SceneSurface surface;
     SceneMatrix group_from_world;
-    bool *moves;  /* by index in asides: the material displaces */
-    bool *rounds; /* by index in asides: push and bulge apply */
+    bool *moves;  /* indexed as `asides`: the material displaces */
+    bool *rounds; /* indexed as `asides`: push and bulge apply */
     size_t later; /* first later surface, which may be part of a copy */
 } Standing;
 

@@ -11,11 +11,11 @@ typedef struct {
 } SceneStood;
 
 typedef struct SceneStand {
-    SceneMatrix world_from_group; /* transform of the copies' space */
+    SceneMatrix world_from_group; /* transform from the space of the copies to world space */
     /* Objects of the surface, in the copies' space; their materials index SceneReader.asides. */
     SceneObject *objects;
     int object_count;
-    int first; /* the scene's first object among the copies */
+    int first; /* index of the first object among the copies */
     bool aligned;
     SceneStood *copies;
     size_t copy_count, copy_capacity;

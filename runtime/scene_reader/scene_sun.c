@@ -10,7 +10,7 @@ static void add_sun(SceneReader *r, const GraphSky *sky)
 {
     Scene *scene = r->scene;
     const double direction[3] = {-sky->sun[0], -sky->sun[1], -sky->sun[2]};
-    double sent[3]; /* reflected by a white surface */
+    double sent[3]; /* light that a white surface reflects */
     size_t count = (size_t)scene->light_count;
     for (int i = 0; i < 3; i++)
         sent[i] = scene->sky_light[i] * sky->irradiance[i] / PI;

@@ -109,7 +109,7 @@ static bool make_material(Renderer *renderer, const PassProgram *program, Materi
 {
     const bool modern = renderer->gl->major * 10 + renderer->gl->minor >= 45;
     const char *const head = modern ? "#version 450 core\n" : "#version 430 core\n";
-    /* the text after its #version line */
+    /* GLSL text after the #version line */
     char *own = without_input(strchr(material_set_fragment(&renderer->set, program), '\n') + 1);
     if (!own)
         return gl_fail(renderer->gl, "out of memory");

@@ -8,15 +8,16 @@
 // glass_store.glsl.
 layout(std140) uniform PlaneTransmittance {
     mat4 sheet_worldFromEye;
-    vec4 sheet_ray; // like light_ray and light_view
+    vec4 sheet_ray; // ray of a pixel, like light_ray and light_view
     vec4 sheet_view;
-    vec4 sheet_light; // in eye space: its position, w 1, or the direction to it, w 0
+    // light in eye space: its position, and 1; or the direction to the light, and 0
+    vec4 sheet_light;
     vec4 sheet_plane; // the plane in eye space
-    vec3 sheet_eye;   // in world space, on the light's side of the plane
+    vec3 sheet_eye;   // eye of the program in world space, on the light's side of the plane
     vec3 sheet_foot;  // the plane's point nearest to sheet_eye
-    int sheet_layer;  // the light's layer
-    int sheet_more;   // 1: earlier planes were stored in the layer
-    int sheet_cut;    // 1: alpha test, all or nothing passes
+    int sheet_layer;  // layer of the light
+    int sheet_more;   // 1: the layer already contains earlier planes
+    int sheet_cut;    // 1: alpha test, which transmits all light or none
 };
 uniform sampler2D sheet_depth;
 layout(rg32ui) uniform uimage2DArray sheet_layers;

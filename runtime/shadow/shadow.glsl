@@ -23,7 +23,8 @@
 #endif
 
 #ifdef SHADOW_GLASS
-layout(std430, binding = 3) readonly buffer Glass { // contents: glass_store.glsl
+// transmittance lists, filled by glass_store.glsl
+layout(std430, binding = 3) readonly buffer Glass {
 #include "shadow_glass.layout.def"
     uint glass_words[];
 };
@@ -59,7 +60,7 @@ SHARE shadowNone()
 }
 
 #ifdef SHADOW_SEEN
-uniform usampler2D shadow_seen; // target that opaque surfaces' programs wrote
+uniform usampler2D shadow_seen; // the target `seen`, which the programs of opaque surfaces wrote
 #endif
 
 #ifdef SHADOW_MAPS
@@ -99,7 +100,8 @@ vec3 shadowOffFace(vec3 place, int face)
 }
 
 #ifdef SHADOW_GLASS
-// Return a texel list's first node, a node's next node, or 0; a node's depth and transmittance.
+// Return the first node of a texel's list, and the node after a node; 0: none. Further functions
+// return a node's depth and transmittance.
 uint shadowNode(uint number) { return number == 0u ? 0u : glass_heads + (number - 1u) * 4u; }
 
 uint shadowList(uvec2 place) { return shadowNode(glass_words[place.y * glass_part.z + place.x]); }
@@ -202,7 +204,7 @@ SHARE shadowFiltered(int first, bool cube, vec3 place, vec4 how)
     return sum / float(max(SHADOW_FILTER * SHADOW_FILTER, 1));
 }
 
-#ifdef SHADOW_CALL_VIEW // set if a technique has `views`: shadow_method.h
+#ifdef SHADOW_CALL_VIEW // defined if a technique has `views`: shadow_method.h
 SHARE shadowOfView(int method, int first, int count, vec3 point, vec3 normal, float pixel);
 #endif
 
@@ -292,7 +294,7 @@ SHARE shadowPlanes(vec4 light, vec3 point)
 uniform usampler2DArray plane_transmittances;
 
 // Returns the transmittance of planes with varying transparency between a light and a pixel's
-// point: plane_transmittance.c. `layer` is 1 + the light's layer, or 0.
+// point: plane_transmittance.c. `layer` is 1 + the layer of the light; 0: no layer.
 vec3 shadowSheets(int layer, ivec2 pixel)
 {
     if (layer == 0) return vec3(1.0);

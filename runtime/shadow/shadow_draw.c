@@ -24,7 +24,7 @@ static void clip_of(const ShadowView *view, bool zero_to_one, double m[16])
     }
 }
 
-enum { STEPS_PUSHED = -2 }; /* depth offset units */
+enum { STEPS_PUSHED = -2 }; /* units of the depth offset */
 
 /* Returns the slope-scaled bias of a map in texels. shadow.glsl gives its size and reason. */
 static float slopes_of(const Renderer *renderer)

@@ -5,7 +5,7 @@
 #include "runtime/shadow/shadow.h"
 #include <stdlib.h>
 
-enum { NODE = 4 /* words of a node */ };
+enum { NODE = 4 /* words of a list node */ };
 
 bool shadow_glass_needed(const Renderer *renderer)
 {
@@ -54,7 +54,8 @@ void shadow_glass_begin(const Renderer *renderer, const ShadowPart *part)
     const GLuint size = (GLuint)renderer->scene->shadow_size;
     const size_t start = sizeof(GLuint) * SHADOW_GLASS_STATE_WORDS,
                  all = sizeof(GLuint) * texels_of(part);
-    const bool counts = glass->bytes < start + all; /* no capacity for lists yet: only counts */
+    /* the lists have no capacity yet: the draw only counts fragments */
+    const bool counts = glass->bytes < start + all;
     gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, SHADOW_GLASS_LISTS, glass->buffer);
     write_words(gl, SHADOW_GLASS_COLUMN,
                 (GLuint[]){part->column, part->row, part->columns, part->rows});

@@ -42,8 +42,8 @@ typedef struct {
 /* Every function may be NULL. All rows are called, whether a light uses the technique or not.
  * Functions that return bool return false on failure, with a reason in the context's error. */
 struct ShadowMethod {
-    Keyword word; /* keyword of the list Shadows */
-    size_t state; /* bytes of its state in a renderer, initially zeros */
+    Keyword word; /* the technique's keyword of the list Shadows */
+    size_t state; /* bytes of the technique's state in a renderer, initially zeros */
 
     /* Needs of the technique. */
     bool triangles; /* needs triangles of casters on the host, even if the driver displaces them */
@@ -87,7 +87,7 @@ struct ShadowMethod {
     /* GLSL for programs that light surfaces; `nearest`: those in the depth buffer. */
     void (*text)(const Renderer *renderer, bool nearest, ShadowMethodText *made);
     void (*set)(const Renderer *renderer, ScreenPass *pass); /* sets uniforms, after each change */
-    /* name of a sampler with its own texture unit */
+    /* name of a sampler that has its own texture unit */
     const char *sampler;
     void (*bind)(const Renderer *renderer, int unit); /* binds the sampler's texture to the unit */
 
@@ -101,7 +101,7 @@ struct ShadowMethod {
     void (*look_place)(Renderer *renderer); /* called when the tile or the camera has moved */
     void (*look_draw)(Renderer *renderer);
 
-    /* Selects the variant of that keyword, for pictures side by side. False: no such variant. */
+    /* Selects a variant by its keyword, for pictures side by side. False: no such variant. */
     bool (*vary)(Scene *scene, Keyword variant);
 };
 

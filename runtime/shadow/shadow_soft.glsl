@@ -29,11 +29,11 @@ const int SOFT_WORDS = (SOFT_POINTS * SOFT_POINTS + 31) / 32;
 // A light, and a surface point in its axes: x along u, z along the normal, to the point's side; the
 // origin is the light's corner.
 struct Soft {
-    vec3 corner, u, v; // in eye space
+    vec3 corner, u, v; // rectangle of the light in eye space: corner and edges
     vec3 eye;          // the surface point in eye space
     vec2 along_u, along_v;
     vec3 point, normal;
-    float pixel;  // a pixel's size at the point
+    float pixel;  // size of a pixel at the point
     bool through; // light from behind the surface counts, too (transmission)
     int layer;    // layer of the first point's map
     float near;   // near distance of all maps
@@ -87,7 +87,8 @@ ivec2 softTexel(vec3 way, out float away)
     vec2 at = way.xy / away;
     ivec2 low = ivec2(SOFT_QUARTER), high = ivec2(3 * SOFT_QUARTER - 1);
     if (side > way.z) {
-        // no component is indexed by a variable: some drivers keep such vectors in memory
+        // selects components without a variable index, since some drivers keep indexed vectors in
+        // memory
         bool x = size.x >= size.y;
         float beyond = 2.0 - max(way.z, 0.0) / side;
         int first = (x ? at.x : at.y) < 0.0 ? 0 : 3 * SOFT_QUARTER, last = first + SOFT_QUARTER - 1;
@@ -116,7 +117,7 @@ bool softStands(Soft s, vec3 from, vec3 ray, float away, float limit)
 }
 
 // Returns the share of light that arrives along a ray from a point, considering occluders nearer
-// than `limit` of the ray; `along`: fraction of the ray at which an occluder is, or 0.
+// than `limit` of the ray. `along` is the fraction of the ray at which an occluder is; 0: none.
 SHARE softWayShare(Soft s, ivec2 point, vec3 way, float limit, out float along)
 {
     float away;
@@ -183,8 +184,9 @@ int softBit(SoftBits bits, int point)
 
 // Visibility of a light's points from a surface.
 struct SoftPoints {
-    SoftBits dim, dark;     // partly occluded, fully occluded
-    int asked, dims, darks; // numbers of points that are not behind the surface
+    SoftBits dim, dark;     // bits of points that are partly occluded, and fully occluded
+    // numbers of points that are not behind the surface: all, partly and fully occluded ones
+    int asked, dims, darks;
 };
 
 // Returns the share of a point's light that arrives; `along`: fraction of the ray at which the

@@ -25,8 +25,8 @@ typedef struct {
 
 /* Transmittance of infinite planes if it varies: plane_transmittance.c. */
 typedef struct {
-    Material *materials;    /* programs by layer and sheet */
-    int layer_count, count; /* number of lights, number of sheets */
+    Material *materials;    /* programs, indexed by layer and plane */
+    int layer_count, count; /* number of lights with a layer, number of planes */
     /* Array texture of transmittances per pixel, a layer for each light that casts shadows. */
     GLuint layers;
     int depth_unit; /* texture unit of the depth of the lit surfaces */
@@ -46,10 +46,10 @@ struct ShadowMaps {
     /* Texture of the views, four texels each: their rows from eye space; near, texel. */
     GLuint table;
     GLuint planes;         /* texture of infinite planes in eye space */
-    GLuint framebuffer;    /* target: the layer that is drawn */
-    Material solid;        /* draws depth only; lives as long as the renderer */
+    GLuint framebuffer;    /* framebuffer whose target is the drawn layer */
+    Material solid;        /* program that draws depth only; lives as long as the renderer */
     bool drawn;            /* the maps are up to date with the scene */
     bool seen;             /* the target `seen` is up to date with this frame's camera */
-    ShadowMethods methods; /* live as long as the renderer */
+    ShadowMethods methods; /* state of the techniques; lives as long as the renderer */
 };
 #endif

@@ -27,7 +27,7 @@ static void from_eye(const double *eye_from_world, const double row[4], float ou
     out[3] = (float)last;
 }
 
-/* Writes a view's texels; `layer` is 1 + the layer of its crossings, or 0. */
+/* Writes the texels of a view. `layer` is 1 + the layer of its crossings; 0: none. */
 static void put_view(const Renderer *renderer, const ShadowView *view, int layer,
                      float (*texels)[4])
 {

@@ -13,7 +13,7 @@ enum { CORNERS = 8 };
 static const double nearest = 1.0 / 4096;
 
 static const double coarser = 4; /* maximum ratio of the depths at which successive cascades end */
-static const double steps = 4;   /* texel sizes of cascades per octave */
+static const double steps = 4;   /* number of texel sizes of cascades per octave */
 
 typedef struct {
     const ShadowMethod *const *methods;
@@ -22,7 +22,7 @@ typedef struct {
     const int *size;      /* size of the picture in pixels */
     double (*corners)[3]; /* corners of the casters' bounding boxes, in world space */
     int count;
-    bool varying; /* some caster's transparency varies */
+    bool varying; /* the transparency of some caster varies */
 } Fit;
 
 static void add_corners(Fit *fit, const CullBox *box, const SceneMatrix *world_from_local)
@@ -73,7 +73,7 @@ static double near_of(const Fit *fit, const double position[3])
         }
         least = fmin(least, sqrt(square));
     }
-    /* axis distance of a cube view's corner at that distance */
+    /* distance along an axis of a cube view's corner at distance `least` */
     const double along = least / sqrt(3);
     return fmax(fmax(along * 0.99, most * nearest), 1e-30);
 }

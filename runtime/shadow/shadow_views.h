@@ -15,11 +15,11 @@ typedef struct ShadowMethod ShadowMethod; /* declared in shadow_method.h */
 
 typedef struct {
     double rows[3][4]; /* matrix rows, from world space to the view */
-    double near;       /* near distance; 0: the light is directional */
-    double texel;      /* a texel's longer edge: at z = 1; directional: everywhere */
+    double near;       /* near distance; 0: the view of a directional light */
+    double texel;      /* longer edge of a texel: at z = 1; for directional lights everywhere */
     const ShadowMethod *method;
-    bool crossed;  /* silhouette crossings are found in it, too */
-    bool mirrored; /* left-handed: flips the winding */
+    bool crossed;  /* silhouette crossings are also found in the view */
+    bool mirrored; /* the view is left-handed: the winding is flipped */
     bool soft;     /* view from a point of an area light: soft_views.h */
 } ShadowView;
 
@@ -35,7 +35,7 @@ typedef struct {
 typedef struct {
     ShadowView *views;
     int count;
-    ShadowLight *lights; /* by light of the scene */
+    ShadowLight *lights; /* ranges of views, indexed by light of the scene */
 } ShadowViews;
 
 /* Makes views for a picture of that size, to which cascades are fitted; `methods` are the rows

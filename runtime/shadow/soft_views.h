@@ -17,7 +17,7 @@
 #define MATC_RENDER_SOFT_VIEWS_H
 #include "runtime/shadow/shadow_views.h"
 
-enum { SOFT_VIEWS_FACES = 5 /* faces toward z, x, -x, y, -y */ };
+enum { SOFT_VIEWS_FACES = 5 /* number of faces: toward z, x, -x, y, -y */ };
 
 /* Returns true for an area light that casts shadows. */
 bool soft_views_wanted(const SceneLight *light);

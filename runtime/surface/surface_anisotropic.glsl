@@ -15,9 +15,9 @@
 
 #ifdef LIT_ANISOTROPY
 struct Anisotropy {
-    vec3 along, across; // orthogonal to each other and to the normal
+    vec3 along, across; // axes, orthogonal to each other and to the normal
     vec2 widths;
-    // alpha and roughness of isotropic microfacets with the same mean width; ratio: k
+    // alpha and roughness of isotropic microfacets with the same mean width; `ratio` is k
     float alpha, rough, ratio;
     // polynomials in a function of the angle, each coefficient a cubic in g
     vec4 loss[6], grazing[6];

@@ -17,7 +17,7 @@
 #define LIT_FILM
 #endif
 #ifdef LIT_FILM
-#define TONE vec3 // a share of light per component
+#define TONE vec3 // type of a share of light per component
 #else
 #define TONE float
 #endif
@@ -52,7 +52,7 @@ struct Roughness {
 Row lossOf(float alpha)
 {
     vec4 p = vec4(1.0, alpha, alpha * alpha, alpha * alpha * alpha);
-    vec2 q = p.zw * p.z; // alpha^4, alpha^5
+    vec2 q = p.zw * p.z; // powers alpha^4 and alpha^5
     return Row(vec4(dot(p, vec4(0.00541417324, -0.0802598988, 0.331120234, -0.549823251)) +
         dot(q, vec2(0.412405132, -0.114975581)),
                     dot(p, vec4(0.0490225499, 2.36567246, -6.3156039, 14.0076693)) +
@@ -117,7 +117,8 @@ TONE reflectedOf(vec2 albedo, float reflectance, TONE again)
 //   scatters 0.78 of all once, and 0.22 are uniform.
 struct Grain {
     float rough, once;
-    TONE high, tilt, low, all; // all: single-scattering albedo for light from all directions
+    // `all` is the single-scattering albedo for light from all directions
+    TONE high, tilt, low, all;
 };
 
 // Makes a Grain from the transmittance along the normal, at cosine 1/4, and in the mean: the means
@@ -278,7 +279,8 @@ float microfacets(float alpha, vec3 normal, vec3 h, float cosine, vec2 eye)
 {
     float alpha2 = alpha * alpha, high = dot(normal, h);
     vec3 across = cross(normal, h);
-    float width = alpha2 * high * high + dot(across, across); // accurate for small angles, too
+    // the form is accurate for small angles, too
+    float width = alpha2 * high * high + dot(across, across);
     float masked = cosine * eye.y + eye.x * maskedOf(alpha, cosine);
     return 0.5 * cosine * alpha2 / (width * width * masked);
 }
@@ -464,7 +466,7 @@ mat3 areaMicrofacets(float rough, vec3 normal, vec3 eye)
               rough * (vec4(-53.6715, -166.806, 102.43, -98.0375) +
               rough * (vec4(63.5235, 103.261, -62.0517, 45.7668) +
               rough * (vec4(-24.1714, -23.8377, 16.1749, -8.02276))))));
-    vec3 m = alpha * vec3(p.x, (cosine + alpha) * p.y, p.z); // matrix entries m11, m22, m13
+    vec3 m = alpha * vec3(p.x, (cosine + alpha) * p.y, p.z); // entries m11, m22, m13 of the matrix
     float turn = alpha * p.w; // angle from the mirrored direction upwards
     vec3 flat_ = eye - dot(normal, eye) * normal;
     float sine = length(flat_);

@@ -51,7 +51,7 @@ typedef struct {
     const char *name;
     const char *text;
     bool parts;
-    const char *more[SURFACE_MODEL_MORE]; /* texts that follow it, up to NULL */
+    const char *more[SURFACE_MODEL_MORE]; /* texts that follow `text`; NULL ends the list */
 } SurfaceModel;
 
 extern const SurfaceModel surface_model_phong, surface_model_principled;

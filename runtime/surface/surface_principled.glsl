@@ -16,22 +16,23 @@
 struct Lit {
     vec3 normal, toEye, reflected, base, tint, dip, emissive;
     vec3 metalAgain;  // multiple-scattering color of metal
-    vec3 even, specular; // reflection of uniform light: diffuse, specular
+    vec3 even, specular; // albedo for uniform light: of the diffuse and of the specular part
 #ifdef LIGHT_HAS_SKY
     vec3 specularRescattered; // specular part that is scattered repeatedly, or spread by layers
 #endif
     Roughness microfacets;
-    float metal, alpha, cosine, masked, reflectance, kept; // masked: maskedOf() toward the eye
-    // multiple scattering; diffuse transmittance to the eye, layers included
+    float metal, alpha, cosine, masked, reflectance, kept; // `masked` is maskedOf() toward the eye
+    // `again` is multiple scattering; `baseOfEye` the diffuse transmittance to the eye, layers
+    // included
     TONE again, baseOfEye;
-    TONE baseRatio;  // baseOfEye over the mean transmittance
-    float lossRatio; // ratio for the multiple-scattering lobe
+    TONE baseRatio;  // baseOfEye divided by the mean transmittance
+    float lossRatio; // energy ratio for the multiple-scattering lobe
 #ifdef LIT_ANISOTROPY
     Anisotropy anisotropy;
 #endif
 #ifdef LIT_GRAIN
     Grain grain;
-    vec3 grainAgain; // eye's part of the light scattered within the base
+    vec3 grainAgain; // the eye's factor of the light scattered within the base
 #endif
 #ifdef LIT_FILM
     Film film;
@@ -40,31 +41,31 @@ struct Lit {
     vec3 filmMean, metalFilmMean, filmLeft;
 #endif
 #ifdef LIGHT_HAS_AREAS
-    mat3 roughnessInto, coatInto; // linear transforms of cosines: areaMicrofacets()
+    mat3 roughnessInto, coatInto; // linear transforms of cosines (LTC), from areaMicrofacets()
 #endif
 #ifdef LIT_COAT
     vec3 coatTint, coatNormal;
-    float coatCosine; // the eye's cosine against the coat's normal
+    float coatCosine; // cosine between the eye and the coat's normal
     Roughness coatMicrofacets;
     float coat, coatShine, coatAlpha, coatReflectance, coatSpecular, coatMasked;
-    float coatOfEye, coatMean; // transmittance: for the eye, and the mean
-    vec2 coatVeil;             // veiled(), for the base's reflection
-    Row spread;                // loss of a white rough mirror below, by angle
+    float coatOfEye, coatMean; // transmittance of the coat: toward the eye, and the mean
+    vec2 coatVeil;             // result of veiled() for the base's reflection
+    Row spread;                // loss of a white rough mirror below the coat, by angle
     float stray;
 #endif
 #ifdef LIT_FUZZ
-    vec3 fuzzColor; // includes its weight
-    float fuzz, fuzzRough, fuzzOfEye, fuzzMean; // the coat's values, for the fuzz
+    vec3 fuzzColor; // color of the fuzz, multiplied by its weight
+    float fuzz, fuzzRough, fuzzOfEye, fuzzMean; // values of the fuzz, as those of the coat
     vec2 fuzzVeil, fuzzCoatVeil;
     Row fuzzSpread;
 #endif
 #ifdef LIT_BEHIND
-    // diffuse transmission, of light through the surface; and for uniform light
+    // diffuse transmission through the surface: of a light, and of uniform light
     vec3 behind, evenBehind;
 #endif
 #ifdef LIT_LAYERS
-    bool layered; // has a coat or fuzz
-    vec3 metalBounce, dielectricBounce; // base's reflection of light that layers reflect back
+    bool layered; // the surface has a coat or fuzz
+    vec3 metalBounce, dielectricBounce; // reflection by the base of light that layers reflect back
     // multiple-scattering loss, below(), of metal and of the dielectric; over the mean
     vec2 multipleScatteringOfEye, multipleScatteringRatio;
     float multipleScatteringMore;
@@ -139,7 +140,7 @@ void litCoat(Surface s, inout Lit m)
     m.coatSpecular = m.kept * (1.0 - m.coatOfEye);
     float smoother = 1.0 - m.coatMicrofacets.rough * m.coatMicrofacets.rough,
         smoother2 = smoother * smoother;
-    // 1 for a smooth coat of index 1.6
+    // the share is 1 for a smooth coat of index 1.6
     float share = m.coat * (1.0 - m.coatReflectance) * smoother2 * smoother2 * smoother * 1.0563;
     m.spread = coatSpread(m.microfacets.rough, share);
     m.stray = 0.022 * share * smoothstep(0.1, 0.35, m.microfacets.rough);
@@ -311,7 +312,7 @@ Lit surfaceLit(Surface s, vec3 toEye)
 #ifdef SURFACE_HAS_transparency
     m.kept = 1.0 - holesOf(s);
 #endif
-    // limit of float precision: a narrower lobe would fall between floats
+    // min roughness, limited by float precision: a narrower lobe would fall between floats
     m.microfacets = roughnessOf(clamp(rough, 0.0316227766, 1.0));
 #ifdef LIT_ANISOTROPY
     m.anisotropy = anisotropyOf(s.anisotropy, m.normal, m.microfacets.rough);
@@ -349,7 +350,7 @@ Lit surfaceLit(Surface s, vec3 toEye)
 #endif
     m.again = fresnel * fresnel * (1.0 - mean.y) / (1.0 - fresnel * mean.y);
     m.baseOfEye = 1.0 - baseReflected(m, eye, m.cosine);
-    // bounded, as smooth surfaces have no multiple scattering
+    // bounds the divisor, as smooth surfaces have no multiple scattering
     m.lossRatio = eye.x / max(left.y, 1e-3);
     TONE reflected = TONE(mix(left.z, left.x - left.y, m.reflectance));
 #ifdef LIT_FILM

@@ -297,7 +297,7 @@ static bool divide_ring(SceneBisection *b, uint32_t edge)
     const size_t first = b->count;
     for (size_t i = 0; i < count; i++)
         divide(b, b->ring[i] / 3, vertices[i]);
-    for (size_t i = count; i--;) { /* backward, so that no unread element is overwritten */
+    for (size_t i = count; i--;) { /* copies backward, so that no unread element is overwritten */
         const uint32_t triangle = b->ring[i] / 3;
         b->ring[2 * i + 1] = (uint32_t)(first + i);
         b->ring[2 * i] = triangle;
@@ -404,7 +404,7 @@ static void put(const SceneBisection *b, const double (*to)[3], uint32_t vertex,
 bool scene_bisection_shape(const SceneBisection *b, const double (*to)[3], Shape *made)
 {
     Order *order = find_order(b);
-    /* by vertex: its new number, from 1; 0: unused */
+    /* indexed by vertex: its new number, from 1; 0: unused */
     uint32_t *number = calloc(b->vertex_count + 1, sizeof *number);
     *made = (Shape){.vertices = calloc(b->vertex_count + 1, sizeof *made->vertices),
                     .indices = calloc(3 * b->count + 1, sizeof *made->indices),

@@ -16,8 +16,8 @@ enum {
  * one; edge 0 is bisected next, and corner 2 is the newest. */
 typedef struct {
     int base;           /* the shape's triangle that contains this one */
-    int weights[3][3];  /* by corner: in the base's corners */
-    uint32_t vertex[3]; /* by corner: index in SceneBisection.vertices */
+    int weights[3][3];  /* indexed by corner: barycentric weights of the base's corners */
+    uint32_t vertex[3]; /* indexed by corner: index in SceneBisection.vertices */
     /* Ring of each edge: 3 triangle + edge of the next half-edge between the same two places; a
      * boundary edge refers to itself. */
     uint32_t across[3];
@@ -36,13 +36,13 @@ typedef struct SceneBisection {
     const Shape *shape;
     SceneBisectionTriangle *triangles;
     ShapeVertex *vertices;
-    uint32_t *place_of; /* by vertex: index of its place */
+    uint32_t *place_of; /* indexed by vertex: index of its place */
     SceneBisectionPlace *places;
     /* scratch: edges that are divided together, and triangles that wait for others */
     uint32_t *ring, *waiting;
     size_t count, capacity, vertex_count, vertex_capacity, place_of_capacity, place_count,
         place_capacity, ring_capacity, waiting_capacity;
-    /* Called for each triangle that became two, or NULL. */
+    /* Called for each triangle that was bisected; NULL: no calls. */
     void (*divided)(void *user, uint32_t triangle, uint32_t made);
     void *user;
 } SceneBisection;

@@ -18,7 +18,7 @@ typedef struct {
     const Scene *scene;
     SceneDisplacer *by;
     HashIndex index; /* index of meshes by their keys */
-    int *next;       /* by object: its new mesh */
+    int *next;       /* indexed by object: its new mesh */
     int64_t triangles;
     int mesh_count;
 } Maker;
@@ -219,7 +219,7 @@ static int find_bases(Scene *scene, const MatcOptions *options)
     for (int i = 0; i < scene->material_count; i++)
         by->moves[i] = matc_moves(scene->materials[i].document, scene->materials[i].index, options);
     for (int i = 0; scene->displaced_pixels > 0 && i < scene->material_count; i++)
-        /* view-dependent */
+        /* view-dependent division depends on the place in the world */
         by->moves[i] = by->moves[i] == MATC_MOVES_none ? MATC_MOVES_none : MATC_MOVES_world;
     for (int i = 0; i < scene->object_count; i++) {
         const SceneObject *object = &scene->objects[i];

@@ -16,7 +16,7 @@ typedef struct {
     int triangles;
     SceneDividing dividing;
     int level; /* parts of an edge of `from`, overriding `triangles`; 0: by triangles */
-    const SceneViewSet *seen; /* viewers for view-dependent division; or NULL */
+    const SceneViewSet *seen; /* viewers for view-dependent division; NULL: none */
     double pixels;            /* tolerated error in pixels for view-dependent division */
     bool processor;           /* the renderer cannot displace */
 } SceneDisplacing;

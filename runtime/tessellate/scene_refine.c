@@ -43,7 +43,8 @@ static const double STEP = 0.7; /* relaxation factor of a Jacobi step: two full 
 static const double FLAT = 0.02 * 0.02;
 
 typedef struct {
-    /* Over the triangles at a place: weighted error; squared errors of the best and the worst. */
+    /* Totals of the triangles at a place: weighted error; squared errors of the best and the
+     * worst. */
     double sum[3], area, low, high;
 } Around;
 
@@ -84,7 +85,7 @@ enum {
     FIRST_SAMPLES = 16, /* max samples per triangle made by area */
     EVEN_SHARE = 32,    /* share of the triangles that is made by area: 1 / 32 */
     ROUND_SHARE = 8,    /* share of the triangles that a round divides: 1 / 8, */
-    ROUND_MIN = 32,     /* but at least this number of triangles */
+    ROUND_MIN = 32,     /* min number of triangles that a round divides */
     BATCH = 4096        /* points moved in one call */
 };
 
@@ -102,10 +103,10 @@ typedef struct {
     Sample *samples;
     size_t sample_count, sample_capacity, sample_moved;
     uint32_t *first; /* first sample by triangle */
-    uint32_t *stamp; /* by triangle: the round that changed it last */
+    uint32_t *stamp; /* indexed by triangle: the round that changed it last */
     uint32_t round, first_round;
     size_t state_count, first_capacity, stamp_capacity;
-    double (*to)[3]; /* by place: its displaced position */
+    double (*to)[3]; /* indexed by place: its displaced position */
     size_t to_count, to_capacity;
     uint32_t *touched; /* triangles changed since the last round */
     size_t touched_count, touched_capacity;

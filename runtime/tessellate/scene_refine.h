@@ -15,7 +15,7 @@ typedef struct {
     /* Length of a motion: no position moves by more than the longest of those queried; NULL:
      * Euclidean. */
     double (*length)(void *user, const double by[3]);
-    double least; /* tolerated error of a triangle, times the scale; 0: none */
+    double least; /* tolerated product of a triangle's error and `scale`; 0: none */
 } SceneRefining;
 
 /* Refines and displaces a shape; the result has its original vertices (Shape.base). False: out

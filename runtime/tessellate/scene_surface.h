@@ -17,7 +17,7 @@ typedef struct {
     /* Vertices with the sum of all normals at their place, by the place's first vertex; NULL
      * before scene_surface_join(). */
     ShapeVertex *joined;
-    int *place; /* by vertex: the first vertex of its place */
+    int *place; /* indexed by vertex: the first vertex of its place */
 } SceneSurfacePart;
 
 typedef struct {

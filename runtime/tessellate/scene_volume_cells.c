@@ -32,7 +32,7 @@ typedef struct {
     const SceneLayers *layers;
     SceneCells *made;
     HashIndex nodes, rims;
-    uint8_t *rim; /* by triangle, a bit for each boundary edge */
+    uint8_t *rim; /* indexed by triangle: a bit for each boundary edge */
     bool fine;
 } Walk;
 

@@ -15,7 +15,7 @@ typedef struct {
 
 typedef struct {
     const Shape *grid;
-    /* by vertex of the grid: the first vertex at its place, which has the column */
+    /* indexed by vertex of the grid: the first vertex at its place, which has the column */
     const int *place;
     const SceneColumn *columns;
     double low, step; /* level k is at height low + k step */
@@ -23,9 +23,10 @@ typedef struct {
 } SceneLayers;
 
 typedef enum {
-    SCENE_NODE_up,    /* over vertex a, between `level` and the next level */
-    SCENE_NODE_along, /* between vertices a and b, at the level */
-    SCENE_NODE_corner /* over vertex a, at the level: closes the volume at the shape's boundary */
+    SCENE_NODE_up,    /* the node is over vertex a, between `level` and the next level */
+    SCENE_NODE_along, /* the node is between vertices a and b, at `level` */
+    /* the node is over vertex a, at `level`, and closes the volume at the shape's boundary */
+    SCENE_NODE_corner
 } SceneNodeKind;
 
 /* A vertex of the triangles that bound the volume. */

@@ -13,7 +13,8 @@ void main()
 {
     surfaceMain();
     bool hidden = depthHidden(FRAGMENT_DEPTH, texelFetch(lists_depth, ivec2(gl_FragCoord.xy), 0).x);
-    if (surface_gone || hidden) return; // not earlier: neighboring pixels need its derivatives
+    // returns only now, since neighboring pixels need the derivatives
+    if (surface_gone || hidden) return;
     uint number = atomicAdd(lists_count, 1u);
     if (number >= lists_capacity) return;
     uint at = lists_pixels + number * LISTS_STRIDE;

@@ -70,7 +70,7 @@ uint mergedRuns(uint list, out uint runs)
             end = b;
             b = fragmentAt(lists_words[b.y]);
         }
-        if (b.z == 0u) { // the last run has no partner, and is kept
+        if (b.z == 0u) { // keeps the last run, which has no partner
             link(a, first, last);
             last = end.y;
             as = 0u;

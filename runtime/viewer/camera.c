@@ -11,8 +11,8 @@
  * hidden behind the silhouette. */
 static const struct {
     double azimuth, elevation;
-    double distance; /* from the origin, chosen to make the shape fill the frame */
-    double shift;    /* of the target along z, to center the shape's outline */
+    double distance; /* distance from the origin, chosen to make the shape fill the frame */
+    double shift;    /* shift of the target along z, to center the shape's outline */
     double angle;    /* angle of view */
 } viewpoints[SHAPE_count] = {
     [SHAPE_sphere] = {-112, 22, 4.55, 0, 30},  [SHAPE_plane] = {-90, 60, 4.75, -0.06, 30},

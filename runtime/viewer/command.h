@@ -13,10 +13,10 @@ typedef struct {
     int input_count;
     const char *output, *folder;
     int size;                 /* pixels, as requested; 0: not given */
-    int samples;              /* per pixel, in each direction; 0: not given */
+    int samples;              /* samples per pixel along each axis; 0: not given */
     const char *view;         /* --view: name of the displayed buffer */
     const char *format_named; /* --format */
-    PictureFormat format;     /* from --format, else from the output's file extension */
+    PictureFormat format;     /* format from --format, else from the output's file extension */
     int bits, memory;         /* bits per component; render target budget in MiB; 0: not given */
     bool progress;
     RendererEdges edges;
@@ -35,14 +35,15 @@ typedef struct {
     const char *contact, *shape, *mesh, *material, *viewpoint, *slot;
     /* Options for scenes only. */
     Frames frames;
-    /* list whose methods share one picture: "shadows", "indirect", "displacement"; or NULL */
+    /* list whose methods share one picture: "shadows", "indirect", "displacement"; NULL: no
+     * comparison */
     const char *compare;
     /* Shadow method and indirect light method that override the scene's; WORD_COUNT: keep
      * the scene's. */
     Keyword shadows, indirect;
 
     Arena words;               /* owns messages and strings built from arguments */
-    struct WatchList *watched; /* input files read so far; or NULL */
+    struct WatchList *watched; /* input files read so far; NULL: not watched */
 } Command;
 
 /* Parses the arguments. Returns NULL, or an error message. Call command_free in both cases. */

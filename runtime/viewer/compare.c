@@ -7,13 +7,13 @@
 
 /* Method of a cell: a word of the list, and a variant for some shadow techniques. */
 typedef struct {
-    Keyword method, variant; /* variant is WORD_COUNT: no variant */
+    Keyword method, variant; /* KEYWORD of the variant; WORD_COUNT: the method has no variant */
 } Way;
 
 typedef struct {
     GlContext *gl;
     ScenePictures *pictures;
-    Scene scene; /* has its own copy of the lights, which the methods change */
+    Scene scene; /* copy of the scene with its own lights, which the methods change */
     Scene *given;
     unsigned char *rgb;
     ContactSheet *sheet;

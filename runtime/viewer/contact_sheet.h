@@ -8,7 +8,7 @@ enum { SHEET_NAME = 128 };
 
 /* Pictures in order of insertion; initialize to {width, height}. */
 typedef struct {
-    int width, height; /* of every picture, in pixels */
+    int width, height; /* size of every picture, in pixels */
     int count, capacity;
     struct ContactSheetCell *cells;
 } ContactSheet;

@@ -6,21 +6,22 @@
 #include "runtime/viewer/scene_picture.h"
 
 typedef struct {
-    /* With no layout named: the compiler's default layout, or "integer" if `slot` is set. */
+    /* If no layout is named: the compiler's default layout, or "integer" if `slot` is set. */
     ScenePictureOptions pictures;
     PreviewOptions preview;
-    /* G-buffer slot that is shown instead of lighting; its SlotLook exists. Or NULL. */
+    /* G-buffer slot that is shown instead of lighting; its SlotLook exists. NULL: lighting is
+     * shown. */
     const char *slot;
     SceneTools tools;    /* overlays to draw */
     const Param *params; /* override the document's defaults */
-    int param_count;     /* at most PARAM_LIMIT */
+    int param_count;     /* number of parameters, at most PARAM_LIMIT */
 } MaterialPictureOptions;
 
 typedef struct MaterialPictures MaterialPictures;
 
 /* Messages about a material's picture. */
 typedef struct {
-    char *diagnostics; /* compiler diagnostics, from malloc; or NULL */
+    char *diagnostics; /* compiler diagnostics, from malloc; NULL: none */
     char error[8192];  /* any other error, or "" */
 } MaterialReport;
 

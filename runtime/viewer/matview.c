@@ -87,10 +87,10 @@ static void show_rows(void *user, int done, int rows)
 typedef struct {
     const Command *command;
     GlContext *gl;
-    /* collects the pictures of materials for --contact; or NULL */
+    /* collects the pictures of materials for --contact; NULL: no --contact */
     ContactSheet *sheet;
     MaterialPictures *materials; /* opened at the first material */
-    const Shape *mesh;           /* or NULL */
+    const Shape *mesh;           /* imported mesh; NULL: a solid */
     MatcDocument *drawn;         /* the previous document, which the renderer may still use */
     const char *input;           /* the current document */
     PictureOwners owners;

@@ -15,7 +15,7 @@ typedef struct {
     float *rows; /* rows of the current block, four floats per pixel */
     int block;   /* rows per block */
     int held;    /* rows buffered for the current block */
-    int done;    /* rows written */
+    int done;    /* number of rows written */
 } ExrWriter;
 
 static const char *fault(exr_result_t code)

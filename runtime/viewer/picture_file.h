@@ -13,7 +13,7 @@ typedef struct {
     PictureFormat format;
     int width, height;
     int components; /* 1, 3 or 4 components: gray, RGB, RGBA; OpenEXR channels: Y, R G B, R G B A */
-    int bits;       /* per component. PNG: 8 or 16, unorm; OpenEXR: 16 (half) or 32 (float) */
+    int bits;       /* bits per component. PNG: 8 or 16, unorm; OpenEXR: 16 (half) or 32 (float) */
     bool color;     /* sRGB colors, which a PNG declares; else plain numbers */
 } PictureSpec;
 

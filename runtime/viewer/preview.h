@@ -7,9 +7,9 @@
 
 typedef struct {
     ShapeKind shape;
-    const Shape *mesh;       /* replaces the shape; or NULL */
+    const Shape *mesh;       /* mesh that replaces the shape; NULL: none */
     const Viewpoint *camera; /* NULL: the shape's default viewpoint */
-    int width, height;       /* of the picture, in pixels */
+    int width, height;       /* size of the picture, in pixels */
     bool sky;
 } PreviewOptions;
 

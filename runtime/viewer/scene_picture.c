@@ -11,10 +11,10 @@ struct ScenePictures {
     GlContext *gl;
     ScenePictureOptions options;
     const Scene *scene;   /* the current scene */
-    const ViewLook *look; /* mapping of the view for a PNG; or NULL */
+    const ViewLook *look; /* maps the view to [0, 1] for a PNG; NULL: no mapping */
     Renderer *renderer;
     float *band; /* one row of tiles, four floats per pixel; NULL before the first picture */
-    float *tile; /* the last tile read, if a row has several tiles; or NULL */
+    float *tile; /* the last tile read, if a row has several tiles; NULL: none */
 };
 
 static int least(int a, int b) { return a < b ? a : b; }

@@ -13,13 +13,13 @@ typedef struct {
     /* PNG stores the displayed picture. OpenEXR stores its linear radiance before exposure
      * and tone mapping. */
     PictureFormat format;
-    int bits; /* per component; 0: 8 for PNG, 16 for OpenEXR pictures, 32 for OpenEXR data */
-    void (*progress)(void *user, int done, int rows); /* or NULL */
+    int bits; /* bits per component; 0: 8 for PNG, 16 for OpenEXR pictures, 32 for OpenEXR data */
+    void (*progress)(void *user, int done, int rows); /* reports progress; NULL: no reports */
     void *user;
 } ScenePictureOptions;
 
 typedef struct {
-    char *words;        /* requested statistics or graph, from malloc; or NULL */
+    char *words;        /* requested statistics or graph, from malloc; NULL: none */
     const char *faulty; /* the path if the file could not be written, else NULL */
 } ScenePicture;
 

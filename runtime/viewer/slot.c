@@ -57,7 +57,7 @@ const SlotLook *slot_look_find(const char *name)
 double slot_encoded(double linear)
 {
     if (!(linear > 0))
-        return 0; /* also NaN, which images cannot hold */
+        return 0; /* also replaces NaN, which images cannot hold */
     if (linear >= 1)
         return 1;
     return linear <= 0.0031308 ? 12.92 * linear : 1.055 * pow(linear, 1 / 2.4) - 0.055;
@@ -74,7 +74,7 @@ static double shown(Look look, double value)
     case RATIO:
         return value - 1;
     case PATH:
-        return value / 5; /* in micrometers; at most 5 by slots.def */
+        return value / 5; /* thickness in micrometers; at most 5 by slots.def */
     default:
         return value;
     }

@@ -27,13 +27,13 @@ struct Staging {
     dev_t device; /* identity of the folder */
     ino_t inode;
     unsigned how;
-    bool new_folder; /* this run created the folder, still empty */
+    bool new_folder; /* this run created the folder, which is still empty */
     bool begun;      /* the list of intents is on disk, and the folder is locked */
     Stage stage;
     StringSet names;
-    StagedFile *files; /* indexed by the number of the name */
+    StagedFile *files; /* files of the run, indexed by the number of the name */
     StringSet stale;
-    Key *stale_hashes; /* indexed by the number of the stale name */
+    Key *stale_hashes; /* hashes of stale files, indexed by the number of the stale name */
     Bytes intents;
     int moves, written;
     pthread_mutex_t mutex; /* guards the members above */
@@ -166,7 +166,7 @@ static int number_of(Staging *s, const char *name)
     int number = string_set_add(&s->names, name, &added);
     if (added) {
         s->files = sets_resize(s->files, (size_t)s->names.capacity * sizeof *s->files);
-        s->files[number] = (StagedFile){.dropped = true}; /* until the file is written */
+        s->files[number] = (StagedFile){.dropped = true}; /* dropped until the file is written */
     }
     pthread_mutex_unlock(&s->mutex);
     return number;
@@ -255,7 +255,7 @@ const char *staging_remove(Staging *s, const char *name, Key hash, bool *stays)
     int number = string_set_find(&s->names, name);
     *stays = false;
     if ((number >= 0 && !s->files[number].dropped) || strchr(name, '/'))
-        return NULL; /* this run writes the file */
+        return NULL; /* this run writes the file, so it stays */
     int error = stage_hash(s->folder, name, &now);
     *stays = error == EINVAL || (!error && !key_equal(now, hash));
     if (!error && !*stays)

@@ -22,8 +22,8 @@ typedef struct {
 /* Opens a folder. Returns NULL and *why (not to be freed) on failure. An interrupted commit of
  * an earlier process is finished first. */
 Staging *staging_open(const char *folder, unsigned how, const char **why);
-/* True if two stagings have the same folder, perhaps under different paths; the second must then
- * not be used. */
+/* Returns true if two stagings have the same folder, perhaps under different paths; the second
+ * must then not be used. */
 bool staging_same(const Staging *a, const Staging *b);
 /* Stages a file, on any thread; each name at most once. Returns NULL or a fault. */
 const char *staging_put(Staging *staging, const char *name, const void *bytes, size_t size);
@@ -32,7 +32,7 @@ const char *staging_put(Staging *staging, const char *name, const void *bytes, s
 const char *staging_put_index(Staging *staging, const char *name, const void *bytes, size_t size);
 /* Removes a staged file from the staging. */
 void staging_drop(Staging *staging, const char *name);
-/* True if the file is staged, to be moved into the folder. */
+/* Returns true if the file is staged, to be moved into the folder. */
 bool staging_holds(const Staging *staging, const char *name);
 /* Returns this run's files of the folder, sorted by name; from malloc. */
 StagingFile *staging_list(const Staging *staging, int *count);
@@ -45,7 +45,7 @@ const char *staging_remove(Staging *staging, const char *name, Key hash, bool *s
 char *staging_read(const Staging *staging, const char *name, const char **why);
 /* Carries out all moves and removals of all these folders, or none. Returns NULL or a fault. */
 const char *staging_commit(Staging *const *stagings, int count);
-/* Number of files that commits have moved. */
+/* Returns the number of files that commits have moved. */
 int staging_written(const Staging *staging);
 /* Discards uncommitted files and closes the staging. */
 void staging_close(Staging *staging);

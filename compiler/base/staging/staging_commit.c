@@ -25,7 +25,11 @@
 #include <time.h>
 #include <unistd.h>
 
-enum { WAIT_NS = 5000000, MAX_WAITS = 6000 /* half a minute */, MAX_INTENTS = 64 << 20 };
+enum {
+    WAIT_NS = 5000000,
+    MAX_WAITS = 6000 /* waits for half a minute in steps of 5 ms */,
+    MAX_INTENTS = 64 << 20
+};
 
 static const char list_name[] = "intents", draft_name[] = "intents.new";
 static const char damaged[] =
@@ -66,8 +70,8 @@ const char *intents_write(const Stage *s, const Bytes *intents)
 
 void intents_withdraw(const Stage *s) { unlinkat(s->at, list_name, 0); }
 
-/* True if the file was changed after `time`, by somebody else than the ended process. False if
- * `time` is NULL. */
+/* Returns true if the file was changed after `time`, by somebody else than the ended process.
+ * False if `time` is NULL. */
 static bool is_newer(int folder, const char *name, const struct timespec *time)
 {
     struct stat info;
@@ -96,7 +100,7 @@ static int apply_one(const Stage *s, const Intent *intent, const struct timespec
     intent_file(staged, intent->number);
     if (since && (faccessat(s->at, staged, F_OK, AT_SYMLINK_NOFOLLOW) ||
                   is_newer(s->folder, intent->name, since)))
-        return 0; /* already done, or somebody has changed the file since */
+        return 0; /* the removal is done, or somebody has changed the file since */
     if (intent->kind != INTENT_put)
         return unlinkat(s->folder, intent->name, 0) && errno != ENOENT ? errno : 0;
     return renameat(s->at, staged, s->folder, intent->name) ? errno : 0;

@@ -88,8 +88,8 @@ void stage_remove(Stage *s)
     stage_leave(s);
 }
 
-/* True if the error means that the file system has no locks. No other process can then lock and
- * remove the folder either. */
+/* Returns true if the error means that the file system has no locks. No other process can then
+ * lock and remove the folder either. */
 static bool has_no_locks(int error)
 {
     return error == ENOLCK || error == EOPNOTSUPP || error == ENOSYS || error == EBADF;
@@ -109,7 +109,8 @@ const char *stage_make(Stage *s, int folder)
         error = open_locked(s);
         if (!error || (s->at >= 0 && has_no_locks(error)))
             return NULL;
-        stage_remove(s); /* also if another process locked it first in order to remove it */
+        /* Removes the folder even if another process locked it first in order to remove it. */
+        stage_remove(s);
     }
     return text_error(error);
 }

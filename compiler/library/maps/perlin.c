@@ -13,7 +13,8 @@ static uint32_t hash_of(const double corner[3], int count)
     uint32_t h[3];
     for (int i = 0; i < 3; i++)
         h[i] = 0xDEADBEEFu + 13 + 4 * (uint32_t)count + (uint32_t)(int32_t)corner[i];
-    for (int i = 0, to = 2, from = 1; i < 7; i++) { /* c with b, a with c, b with a, and so on */
+    /* swaps c with b, a with c, b with a, and so on */
+    for (int i = 0, to = 2, from = 1; i < 7; i++) {
         h[to] = (h[to] ^ h[from]) - turned(h[from], turns[i]);
         from = to;
         to = (to + 1) % 3;

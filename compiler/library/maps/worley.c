@@ -7,8 +7,8 @@ static const double farthest = 16777216;
 
 static uint32_t turned(uint32_t bits, int by) { return bits << by | bits >> (32 - by); }
 
-/* Hash over 2^32 - 1: mixes all but the last three numbers in threes, then applies the final mix
- * to the last three. */
+/* Returns the hash over 2^32 - 1: mixes all but the last three numbers in threes, then applies
+ * the final mix to the last three. */
 static double hashed(const double *numbers, int count)
 {
     static const int mixed[] = {4, 6, 8, 16, 19, 4}, last[] = {14, 11, 25, 16, 4, 14, 24};
@@ -18,7 +18,8 @@ static double hashed(const double *numbers, int count)
     for (; count > 3; count -= 3, numbers += 3) {
         for (int i = 0; i < 3; i++)
             h[i] += (uint32_t)(int32_t)numbers[i];
-        for (int i = 0; i < 6; i++) { /* a with c and b, b with a and c, c with b and a */
+        /* swaps a with c and b, then b with a and c, then c with b and a */
+        for (int i = 0; i < 6; i++) {
             uint32_t *to = &h[i % 3], *by = &h[(i + 2) % 3];
             *to = (*to - *by) ^ turned(*by, mixed[i]);
             *by += h[(i + 1) % 3];

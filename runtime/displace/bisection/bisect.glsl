@@ -58,13 +58,13 @@ coherent
 layout(std430, binding = 4) buffer BisectRows {
     float bisect_rows[];
 };
-uniform int bisect_capacity;  // slots for leaves
+uniform int bisect_capacity;  // capacity in leaves
 uniform int bisect_baseBits;  // bits of a base's number
 uniform int bisect_tableBits; // log2 of the table's size
 // stamp of this evaluation, from 1 to 255: table entries with another stamp are empty
 uniform int bisect_stamp;
 uniform float bisect_worst; // upper bound of any deviation
-uniform int bisect_coarse;  // triangles of less depth are always bisected
+uniform int bisect_coarse;  // triangles of smaller depth are always bisected
 
 #include "bisection.layout.def"
 const uint BISECT_NONE = 0xFFFFFFFFu;
@@ -128,7 +128,7 @@ uint bisectWord(uint list, uint i)
 
 struct Leaf {
     uint base, number; // number 0: empty slot
-    uint own, behind;  // codes of deviations: its own, and that of an ancestor
+    uint own, behind;  // codes of deviations: the leaf's own, and that of an ancestor
 };
 
 uvec2 bisectId(uint base, uint number)
@@ -226,7 +226,7 @@ void bisectInsert(uvec2 id, uint slot)
         uint place = at & ((1u << bisect_tableBits) - 1u), had = bisect_table[place];
         bool taken = had >> 24 == uint(bisect_stamp);
         done = !taken && atomicCompSwap(bisect_table[place], had, entry) == had;
-        at += uint(taken); // read the entry of the thread that came first
+        at += uint(taken); // a taken entry: go on with the next one
     }
 }
 
@@ -299,10 +299,10 @@ Corners bisectParent(uint number, Corners t)
 
 // The `count` triangles at edge a b of a triangle, with or without the triangle itself.
 struct Ring {
-    uint first, count; // members; first BISECT_NONE: the edge is inside the base
-    int depth;         // depth of the triangles with this edge as their edge a b
-    ivec3 beyond;      // edge inside the base: three times a point of the neighbor
-    int weight;        // otherwise: sum of both ends' weights at the earlier place
+    uint first, count; // range of the members; first BISECT_NONE: the edge is inside the base
+    int depth;         // depth of the triangles of which this edge is the edge a b
+    ivec3 beyond;      // for an edge inside the base: three times a point of the neighbor
+    int weight;        // edge not inside the base: sum of both ends' weights at the earlier place
 };
 
 uint bisectEdge(Corners t)

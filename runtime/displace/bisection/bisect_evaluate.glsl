@@ -21,8 +21,8 @@ void bisectLook(uint slot)
             bisect_work[bisectWord(LIST_WANTED, atomicAdd(bisect_state[WANTED], 1u))] = slot;
         } else if (answers.parent <= 0.0) {
             flags = had == 0u ? FLAG_LESS | FLAG_ASKED : FLAG_LESS;
-            // otherwise it waits for a leaf of its ring, and is tried when that need not be
-            // bisected any more
+            // a failed bisection waits for a leaf of its ring, and is tried when that leaf need not
+            // be bisected any more
             if (had == 0u)
                 bisect_work[bisectWord(LIST_MERGING, atomicAdd(bisect_state[MERGING], 1u))] = slot;
         }

@@ -113,7 +113,7 @@ void bisectMergeEnd(Asked a, Answers answers)
     if (less)
         bisectAsk(a.slot);
     if (leaf.number == 1u || (a.even && !less))
-        return; // no leaf waits for it: its ring is unchanged
+        return; // no leaf waits for a merge: the ring is unchanged
     bisectAskAgain(leaf.base, leaf.number >> 1);
     Ring ring = bisectRing(leaf.base, leaf.number >> 1,
         bisectParent(leaf.number, bisectCorners(leaf.base, leaf.number)));

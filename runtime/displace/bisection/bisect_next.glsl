@@ -16,7 +16,7 @@ const uint FEW_MERGING = 0u, FEW_WANTED = 0u;
 // Sets the workgroups of an indirect dispatch for `count` tasks, `each` per workgroup.
 void bisectSet(uint groups, uint count, uint each)
 {
-    // at least one: its last thread does the transition
+    // at least one workgroup, whose last thread does the transition
     bisect_state[groups] = max((count + each - 1u) / each, 1u);
     bisect_state[groups + 1u] = bisect_state[groups + 2u] = 1u;
 }

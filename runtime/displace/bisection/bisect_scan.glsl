@@ -1,5 +1,5 @@
 // Selects the tiles of leaves to evaluate: those for which the camera has moved far enough, or all.
-uniform int bisect_fresh; // 1: no earlier view is known
+uniform int bisect_fresh; // 1: the first view, without an earlier one; else 0
 
 // Returns true if the tile is due, and marks it as evaluated.
 bool bisectIsDue(uint tile)

@@ -20,11 +20,11 @@ uniform vec3 bisect_reach;  // maximum displacement along the world's axes
 uniform vec4 bisect_eye;    // (position, 1); or for parallel rays (direction toward the eye, 0)
 // frustum planes, by columns, with unit normals: negative products are outside
 uniform mat4 bisect_sides;
-uniform vec4 bisect_front;   // the near plane, in the same form
+uniform vec4 bisect_front;   // the near plane, in the form of the planes above
 uniform float bisect_near;   // lower bound of distances
 uniform float bisect_scale;  // pixels per unit length at distance 1
-uniform float bisect_pixels; // tolerated deviation
-uniform int bisect_closed;   // 3 (corners): closed mesh whose back faces are invisible; else 0
+uniform float bisect_pixels; // tolerated deviation in pixels
+uniform int bisect_closed;   // 3 (corners) for a closed mesh whose back faces are invisible; else 0
 uniform float bisect_gone;   // distance that the camera has moved
 uniform float bisect_slack;  // rounding error of bisect_gone
 
@@ -49,7 +49,8 @@ mat3 bisectPart(uint base, uint part)
 BisectBase bisectBase(uint base)
 {
     BisectBase found = BisectBase(bisectPart(base, 0u), mat3(0.0));
-    // a loop with 0 iterations: drivers that execute both sides of a branch skip it
+    // without closed bases the loop has 0 iterations, and drivers that execute both sides of a
+    // branch skip it
     for (int i = 0; i < bisect_closed; i += 3)
         found.normals = bisectPart(base, 1u);
     return found;
@@ -212,7 +213,7 @@ float bisectShadowWants(BisectBase at, Corners t, float far, vec3 middle, vec3 e
         for (int side = 0; side < 4; side++)
             hidden = max(hidden, bisectCastsBeyond(bisect_sides[side], light, reach, middle,
                 extent));
-        // independent of the camera's position
+        // facing away from a light is independent of the camera's position
         hidden = max(hidden, bisectAway(at, t, light.at, middle, extent + light.extent) > 0.0
             ? BISECT_SURE : -BISECT_SURE);
         float last = light.at.w != 0.0 ? 1.0 - 1.0 / reach : reach;
@@ -242,11 +243,12 @@ float bisectWants(BisectBase at, uint base, uint number, Corners t, uint code)
     for (int i = 0; i < 4; i++)
         hidden = max(hidden, bisectBeyond(bisect_sides[i], middle, extent));
     hidden = max(hidden, bisectAway(at, t, bisect_eye, middle, extent));
-    // distance up to which it is too coarse
+    // distance up to which the leaf is too coarse
     float far = bisectDeviation(code) * bisect_scale / bisect_pixels;
     float away = max(length(max(abs(bisect_eye.xyz - middle) - extent, 0.0)), bisect_near);
     float coarse = far - away, coarser = far / 8.0 - away;
-    if (bisect_eye.w == 0.0) { // independent of the distance
+    // a parallel projection: the deviation is independent of the distance
+    if (bisect_eye.w == 0.0) {
         coarse = far > 1.0 ? BISECT_SURE : -BISECT_SURE;
         coarser = far > 8.0 ? BISECT_SURE : -BISECT_SURE;
     }
@@ -277,9 +279,9 @@ Answers bisectAnswers(Asked a)
     BisectBase base = bisectBase(a.leaf.base);
     Answers answers = Answers(BISECT_SURE, BISECT_SURE);
 #ifdef BISECT_WIDE
-    // faster to recompute than to keep in registers
+    // recomputes the corners, which is faster than keeping them in registers
     Corners t = bisectCorners(a.leaf.base, a.leaf.number);
-    // a dynamic loop bound, so that the compiler does not duplicate the body
+    // the loop bound is dynamic, so that the compiler does not duplicate the body
     for (uint up = 0u; up <= uint(a.even); up++) {
         float wants = bisectWants(base, a.leaf.base, a.leaf.number >> up, t, up == 0u ? a.leaf.own
             : a.leaf.behind);

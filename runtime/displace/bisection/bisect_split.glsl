@@ -174,7 +174,7 @@ void main()
 struct Split {
     uint slot, place;
     Leaf leaf;
-    int deeper; // levels of a child's parts below it
+    int deeper; // number of levels of a child's parts below the child
     Corners t;
     vec3 corners[3], middle;
     uint worst[2];

@@ -38,7 +38,7 @@ typedef struct {
 typedef struct {
     Material stages[BISECTION_STAGES]; /* the splitting stage is the mesh's material */
     GLuint buffers[BISECTION_BUFFERS];
-    /* slots for leaves now, and their maximum; log2 of the table's size */
+    /* current and max capacity in leaves; log2 of the table's size */
     int capacity, most, table_bits;
     int ranged; /* depth up to which ranges are stored */
     int tile;   /* tile size: BISECTION_TILE_FEW or BISECTION_TILE_MANY */
@@ -49,13 +49,14 @@ typedef struct {
     /* Tolerated deviation in pixels when all leaves were last evaluated; 0: all must be
      * evaluated. */
     double pixels;
-    /* since then: the camera's movement, and entries added to the table */
+    /* since all leaves were last evaluated: movement of the camera, entries added to the table */
     double gone, entries;
     /* bounding box of all displaced points, in world space */
     double box[2][3];
-    /* the state block as last read; a buffer for reading it */
+    /* `head` is the state block as last read; `head_copy` is a buffer for reading it */
     GLuint head[BISECTION_STATE_WORDS], head_copy;
-    int splits, merges, looks, looked; /* counts of the last view; `looked`: evaluated slots */
+    /* counts of the last view; `looked` counts evaluated slots */
+    int splits, merges, looks, looked;
     SceneCamera camera;
     int size[2];
     BisectionLights lights;

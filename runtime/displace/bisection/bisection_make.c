@@ -13,9 +13,10 @@ enum {
     /* Deviations are evaluated on parts of a size at which a base has as many as it has
      * final triangles, divided by this number. */
     SAMPLES_SHARE = 8,
-    PARTS_MAX = 6,   /* at most 2^6 parts per triangle: coarser ones are always bisected */
+    /* at most 2^6 parts per triangle: leaves coarser than that are always bisected */
+    PARTS_MAX = 6,
     PLACE_BITS = 24, /* bits of a leaf's slot in the table */
-    RANGE_PARTS = 4  /* ranges are stored down to triangles of 2^4 such parts */
+    RANGE_PARTS = 4  /* ranges are stored down to triangles of 2^4 parts */
 };
 
 _Static_assert(sizeof(MeshCaptured) == BISECTION_ROW * sizeof(float),
@@ -53,7 +54,7 @@ static const char *lights_of(const Scene *scene)
 /* The stages: their defines and texts. */
 typedef struct {
     const char *define, *text[2];
-    bool alone; /* not followed by bisect_next.glsl */
+    bool alone; /* the pass is not followed by bisect_next.glsl */
 } Stage;
 
 static bool make_moving(const DisplacedMaking *making, const char *define, const ProgramText *rest,
@@ -235,7 +236,7 @@ static int most_of(const GlContext *gl, const ScenePatches *patches)
 
 int bisection_base_bits(const ScenePatches *patches)
 {
-    /* so that 32 bits hold a triangle's number */
+    /* min bits of a base's number, so that 32 bits hold a triangle's number */
     enum { LEAST = 8 };
     /* the highest number belongs to no base */
     const int bits = bits_of((size_t)patches->count + 1);

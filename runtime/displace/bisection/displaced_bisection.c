@@ -162,7 +162,7 @@ static void begin_anew(Displaced *d, double pixels)
  * the scan stage does. */
 static void look(const Displaced *d, GLuint high)
 {
-    enum { LOOK_TILES = 16 /* per workgroup */ };
+    enum { LOOK_TILES = 16 /* tiles evaluated per workgroup */ };
     Bisection *b = d->own;
     const GLuint tiles = (high + (GLuint)b->tile - 1) / (GLuint)b->tile;
     if (displaced_context(d)->hardware) {
@@ -235,7 +235,7 @@ static bool update(Displaced *d)
 static bool settle(Displaced *d, Mesh *mesh)
 {
     Bisection *b = d->own;
-    int enough = 0; /* known lower bound */
+    int enough = 0; /* known lower bound of `coarser` */
     for (;;) {
         const bool fits = update(d);
         if (b->head[BISECTION_LOST])

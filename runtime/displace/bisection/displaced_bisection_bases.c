@@ -21,7 +21,7 @@ typedef struct {
 typedef struct {
     const ScenePatches *patches;
     SceneMatrix local_from_world;
-    const int *first; /* by row: the first row at the same position */
+    const int *first; /* indexed by row: the first row at the same position */
     Edge *edges;
     uint32_t edge_count;
     HashIndex index;
@@ -56,7 +56,7 @@ static uint32_t first_corner(const Maker *m, int patch)
     const ScenePatch *at = &m->patches->at[patch];
     int first = 0;
     uint32_t best[2], next[2];
-    scene_patch_ends(at, m->first, 2, best); /* the edge from corner 0 to corner 1 */
+    scene_patch_ends(at, m->first, 2, best); /* the edge between corners 0 and 1 */
     for (int corner = 1; corner < 3; corner++) {
         scene_patch_ends(at, m->first, (corner + 2) % 3, next);
         if (is_longer(m, next, best)) {

@@ -11,11 +11,11 @@ flat out uvec2 feedback_state;
 out vec2 feedback_weights;
 
 uniform mat4 matc_worldFromLocal;
-uniform vec3 displace_eye; // in world space
+uniform vec3 displace_eye; // position of the eye in world space
 uniform float displace_near;
 uniform float displace_detail;
-uniform int displace_skirts; // one of SKIRTS_...
-uniform int displace_last;   // 1 in the last pass
+uniform int displace_skirts; // kind of skirts: a SKIRTS_... constant
+uniform int displace_last;   // 1 in the last pass; 0 in others
 uniform int displace_uneven; // 1: triangles of the mesh differ in area
 const int SKIRTS_ALL = 1, SKIRTS_BORDERS = 2, SKIRTS_EARLY = 3;
 const uint FINAL = 1u, LOWER = 2u;

@@ -235,7 +235,7 @@ static int divide_all(Displaced *d, Feedback *own, int count)
         }
         own->from = !own->from;
         if (made == count)
-            break; /* all triangles are final */
+            break; /* all triangles are final: stop */
         count = made;
     }
     return count;

@@ -9,7 +9,7 @@ flat in int displace_item[];
 uniform int displace_first; // index of the draw's first patch in displace_drawn
 uniform int displace_rowCount;
 uniform int displace_parts;
-uniform int displace_skirts; // one of SKIRTS_...
+uniform int displace_skirts; // kind of skirts: a SKIRTS_... constant
 const int SKIRTS_COPY = 1, SKIRTS_OUTLINE = 2, SKIRTS_ALL = 3;
 
 uvec2 displace_patch;
@@ -86,7 +86,8 @@ void main()
         if (displace_skirts == SKIRTS_OUTLINE) {
             ivec3 from = displace_corners[number], to = displace_corners[(number + 1) % 3];
             weights = from * (displace_rowCount - at) + to * at;
-            there = any(equal(from + to, ivec3(0))); // both are on an edge of the patch
+            // both corners are on the same edge of the patch
+            there = any(equal(from + to, ivec3(0)));
         } else if (displace_skirts == SKIRTS_ALL) {
             weights = corner(number, at % 3);
         } else {

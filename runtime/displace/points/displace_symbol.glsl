@@ -11,7 +11,7 @@ flat in uint displace_patchOf[];
 in vec3 displace_weights[];
 // 0: square on the surface; 1: billboard facing the eye; 2: cylinder; 3: sphere
 uniform int displace_symbol;
-uniform vec3 displace_eye; // in object space
+uniform vec3 displace_eye; // position of the eye in object space
 uniform int displace_parts;
 
 const float turn = 6.28318530717958647693;

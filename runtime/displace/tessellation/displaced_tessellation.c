@@ -64,7 +64,7 @@ static int tessellate(Displaced *d, const int first[SCENE_PATCH_PARTS + 2], cons
  * of 3 n, 3 (n - 2), ... quads. */
 static bool write_tessellated(Displaced *d, const int first[SCENE_PATCH_PARTS + 2], Mesh *mesh)
 {
-    int capacity, made = 1; /* at least 1: a buffer cannot be empty */
+    int capacity, made = 1; /* the capacity is at least 1, since a buffer cannot be empty */
     for (int n = 1; n <= SCENE_PATCH_PARTS; n++)
         made += (first[n + 1] - first[n]) * (3 * n * n / 2 + 2);
     do {

@@ -16,7 +16,8 @@ float parallaxOver(int number, TraceSpace space, vec3 at)
 
 void main()
 {
-    // regula falsi; the height at an end that stays is halved (Illinois method)
+    // min and max steps; steps of regula falsi, which halves the height at an end that stays
+    // (Illinois method)
     const int LEAST = 4, MOST = 32, SECANTS = 6;
     // minimum cosine to the normal; tolerance relative to the range of heights
     const float SLANTED = 1e-3, NEAR = 1e-7;
@@ -28,13 +29,13 @@ void main()
     float side = along.z < 0.0 ? 1.0 : -1.0; // 1: the ray enters from above; -1: from below
     vec2 heights = vec2(trace_nodes[node].w, trace_nodes[node + 1].w) /
         max(abs(along.z), SLANTED * length(way));
-    vec2 ends = side > 0.0 ? -heights.yx : heights; // begin and end of the march
+    vec2 ends = side > 0.0 ? -heights.yx : heights; // begin and end of the march along the ray
     if (trace_eye.w > 0.0)
         ends = max(ends, -0.99); // the march must not begin behind the eye
     int steps = int(clamp(ceil(length(along.xy) * (ends.y - ends.x) * float(trace_parts)),
         float(LEAST), float(MOST)));
     float enough = NEAR * (trace_nodes[node + 1].w - trace_nodes[node].w);
-    // on both sides of the surface: heights, and parameters
+    // heights over the surface and ray parameters, on both sides of the hit
     vec2 over = vec2(1.0, -1.0), between = ends;
     float t = ends.x, last = 0.0;
     bool found = false;

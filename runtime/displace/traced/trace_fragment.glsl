@@ -2,19 +2,19 @@
 // grid, nearest first, and refines the hit to the exact surface by matc_displaced().
 //  A triangle is 0.01 wide and its surface 1e-5 above it in its middle: the ray hits the triangle,
 //  two steps later a point of the surface with an error below 1e-7.
-// polygon offset of depth: factor by the slope, and units of the least step
+// polygon offset of depth: the factor and units of glPolygonOffset
 uniform vec2 trace_offset;
 
 const int TRACE_STACK = 24; // three entries for each of max six levels, and one more
 
 struct TraceRay {
     vec3 from, along; // t = 0 is the point where the ray leaves the hull
-    float begin;      // min t
+    float begin;      // min ray parameter t
 };
 
 struct TraceHit {
     float t;
-    vec2 at; // the coordinates a and b
+    vec2 at; // coordinates a and b of the patch
     TracePart part;
 };
 
@@ -137,7 +137,7 @@ TraceHit traceGrid(int number, TraceSpace space, TraceRay ray, out TraceNear nea
             vec2 through = traceThrough(number, child, from, inverse);
             if (through.x > through.y || through.y < ray.begin || through.x > min(hit.t, 0.0))
                 continue;
-            int at = count++; // nearest on top
+            int at = count++; // keeps the nearest node on top of the stack
             for (; at > first && enters[at - 1] < through.x; at--) {
                 stack[at] = stack[at - 1];
                 enters[at] = enters[at - 1];
@@ -168,7 +168,7 @@ void traceSlopes(int number, TracePart part, out vec3 byA, out vec3 byB)
 float traceSurface(int number, TraceRay ray, inout TraceHit hit)
 {
     const int STEPS = 8;
-    const float NEAR = 1e-7; // relative to the ray's length
+    const float NEAR = 1e-7; // tolerance relative to the ray's length
     vec3 byA, byB, move = vec3(0.0), before = vec3(0.0);
     traceSlopes(number, hit.part, byA, byB);
     float volume = dot(cross(byA, byB), ray.along), least = 1e30, enough = NEAR * length(ray.along);
@@ -185,7 +185,7 @@ float traceSurface(int number, TraceRay ray, inout TraceHit hit)
             hit.at = x.xy;
             hit.t = x.z;
         }
-        vec3 found = (off - before) * rows; // dot product with each row
+        vec3 found = (off - before) * rows; // dot products of the offset with each row
         float scale = dot(move, found);
         if (step > 0 && abs(scale) > 1e-30) {
             vec3 along = rows * move / scale, more = move - found;

@@ -5,9 +5,9 @@ layout(std430, binding = 5) readonly buffer TraceNodes {
 };
 uniform vec2 trace_pixel;  // a pixel's size in clip space
 uniform vec2 trace_corner; // clip-space position of gl_FragCoord 0
-// approximate point where the ray leaves the hull, in object space
+// approximate point in object space where the ray leaves the hull
 in vec3 trace_leaves;
-// origin of the ray: the eye and 1, or the direction toward it and 0
+// perspective: the eye, and 1; parallel rays: the direction toward the eye, and 0
 flat in vec4 trace_eye;
 flat in mat4 trace_clipFromLocal;
 flat in uint trace_place;

@@ -7,7 +7,7 @@ layout(std430, binding = 5) readonly buffer TraceNodes {
 layout(std430, binding = 3) writeonly buffer TraceHulls {
     float trace_hulls[];
 };
-uniform int trace_patches, trace_hull; // trace_hull: number of triangles of a hull
+uniform int trace_patches, trace_hull; // `trace_hull` is the number of triangles of a hull
 
 void tracePut(int point, vec3 p)
 {
@@ -29,7 +29,7 @@ void main()
     }
     int node = 2 * traceNode(number, TracePart(0, ivec2(0), false));
     vec4 low = trace_nodes[node], high = trace_nodes[node + 1];
-    // margin: gives a volume, and covers rounding
+    // margin that gives the hull a volume, and covers rounding
     vec4 more = 1e-3 * (high - low) + vec4(vec3(1e-4), 1e-4 * length(space.local[0]));
     low -= more;
     high += more;

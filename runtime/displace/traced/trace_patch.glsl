@@ -22,7 +22,7 @@ vec3 traceVector(int row, int part)
 }
 
 struct TraceSpace {
-    vec3 corner; // corner 0
+    vec3 corner; // position of corner 0
     mat3 local;  // matrix from the patch's space to object space
     mat3 inner;  // matrix from object space; 0 for a degenerate base triangle
 };
@@ -37,7 +37,7 @@ TraceSpace traceSpace(int number)
     vec3 across = cross(a, b);
     float area = length(across);
     vec3 n = area > 0.0 ? across / area : vec3(0.0);
-    float scale = area > 0.0 ? 1.0 / area : 0.0; // reciprocal determinant
+    float scale = area > 0.0 ? 1.0 / area : 0.0; // reciprocal of the determinant
     space.local = mat3(a, b, n);
     space.inner = transpose(mat3(cross(b, n) * scale, cross(n, a) * scale, n));
     return space;

@@ -5,7 +5,7 @@
 uniform usampler2D trace_met;
 uniform vec2 trace_pixel; // a pixel's size in clip space
 uniform int trace_hull;   // number of triangles of a hull
-uniform float trace_turn; // -1: negative determinant, the winding is flipped
+uniform float trace_turn; // -1 for a negative determinant, which flips the winding; else 1
 flat in uint trace_place;
 
 struct TraceCorners {

@@ -9,11 +9,11 @@ struct Instance {
 layout(std140, binding = 0) readonly buffer Instances {
     Instance matc_instances[];
 };
-layout(std140, binding = 16) uniform View { // layout as matc writes it
+layout(std140, binding = 16) uniform View { // uniform block in the layout that matc writes
     mat4 matc_clipFromWorld;
     mat3 matc_eyeNormalFromWorld;
 };
-// in world space: the eye and 1, or for parallel rays the direction toward it and 0
+// perspective: the eye in world space, and 1; parallel rays: the direction toward the eye, and 0
 uniform vec4 trace_viewer;
 out vec3 trace_leaves;
 flat out vec4 trace_eye; // trace_viewer in object space

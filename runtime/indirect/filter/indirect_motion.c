@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { DEPTH_UNIT = 0 /* the unit of samplers that are not set */ };
+enum { DEPTH_UNIT = 0 /* texture unit of samplers that are not set */ };
 
 static bool make_number(Renderer *renderer, IndirectMotion *motion)
 {
@@ -221,7 +221,8 @@ bool indirect_motion_draw(Renderer *renderer, const double was[16], float (*bloc
         if (!has_moved(renderer, i))
             continue;
         if (!count && !begin(renderer, motion)) {
-            boxes[count++] = everywhere; /* without motion ids all history is suspect */
+            /* without motion ids, the history of all pixels is suspect */
+            boxes[count++] = everywhere;
             break;
         }
         const VoxelRange then = range_of(renderer, i, &motion->kept[i]);

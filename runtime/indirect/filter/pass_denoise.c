@@ -22,8 +22,8 @@ static bool is_spread(const Renderer *renderer)
     return !is_atrous(renderer) || indirect_coarse(renderer) > 1;
 }
 
-/* Number of à-trous levels. At full resolution two levels reach 6 pixels and four reach 30; at
- * lower resolution one level reaches 2 pixels and three reach 14. */
+/* Returns the number of à-trous levels. At full resolution two levels reach 6 pixels and four
+ * reach 30; at lower resolution one level reaches 2 pixels and three reach 14. */
 static int atrous_levels(const Renderer *renderer)
 {
     const int narrow = 6, odd = indirect_coarse(renderer) > 1;

@@ -10,7 +10,7 @@ uniform sampler2D smooth_source;
 
 struct SmoothPlace {
     vec3 point, normal;
-    float width; // of a pixel
+    float width; // width of a pixel at the point
 };
 
 float smoothWeight(SmoothPlace from, ivec2 pixel, float away)
@@ -26,7 +26,7 @@ float smoothWeight(SmoothPlace from, ivec2 pixel, float away)
     return near * turned * turned;
 }
 
-// Bounds of the picture in the source texture.
+// Returns the bounds of the picture in the source texture.
 ivec2 smoothLow() { return ivec2(indirectLow()) / INDIRECT_COARSE; }
 ivec2 smoothSize() { return (ivec2(indirect_picture.xy) + INDIRECT_COARSE - 1) / INDIRECT_COARSE; }
 
@@ -47,9 +47,9 @@ ivec2 smoothSize() { return (ivec2(indirect_picture.xy) + INDIRECT_COARSE - 1) /
 uniform sampler2D smooth_rays; // the rays' results, not denoised
 uniform float smooth_level;
 
-const float SMOOTH_NOISE = 3.0; // in standard deviations
+const float SMOOTH_NOISE = 3.0; // tolerated difference in standard deviations
 
-// Mean component of light, and ambient occlusion.
+// Returns the mean component of light, and ambient occlusion.
 vec2 smoothComponents(vec4 value) { return vec2(dot(value.xyz, vec3(1.0 / 3.0)), value.w); }
 
 vec2 smoothNoise(SmoothPlace from, ivec2 at)

@@ -51,7 +51,7 @@ static bool pass_temporal_make(Renderer *renderer)
     return done && indirect_motion_make(renderer);
 }
 
-/* Inverse of the eye's matrix, which is rigid: the inverse of its rotation is the transpose. */
+/* Inverts the eye's matrix, which is rigid: the inverse of its rotation is the transpose. */
 static void invert_eye(const double eye[16], double made[16])
 {
     memset(made, 0, 16 * sizeof *made);

@@ -9,11 +9,11 @@
 // Ambient occlusion can change only where a ray reaches a moved object's bounding box, at its old
 // or new position; there, and where indirect light can change, kept samples are clamped to the
 // neighborhood of the pixel's current rays.
-uniform sampler2D temporal_rays;   // of this frame
+uniform sampler2D temporal_rays;   // results of this frame's rays
 uniform sampler2D temporal_values; // accumulated means
 // x: distance from the eye along the view axis; y: number of sets; zw: the normal
 uniform sampler2D temporal_places;
-// 0, or a motion id, from 1 on; an id past the last: the motion is unknown
+// motion ids, from 1 on; 0: no motion; an id past the last: the motion is unknown
 uniform usampler2D temporal_moved;
 layout(std140) uniform History {
 #include "temporal.layout.def"

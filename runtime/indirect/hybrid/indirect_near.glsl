@@ -11,11 +11,11 @@
 
 // Data that all rays of a point share.
 struct IndirectOrigin {
-    vec3 point, normal, from; // from: start of screen-space rays, a little off the surface
-    vec3 place, up;           // in grid units: the point; offset from it to voxelStart()
+    vec3 point, normal, from; // `from` is the start of screen-space rays, a little off the surface
+    vec3 place, up;           // in grid units: the point, and the offset from it to voxelStart()
     float lift;               // length of `up` in eye-space units
     bool full;                // the start lies in a full voxel, as in a corner
-    vec3 seen;                // indirectSeen of `from`
+    vec3 seen;                // result of indirectSeen() for `from`
 };
 
 // Homogeneous projection of a point: xy: pixel position times distance; z: distance. In an
@@ -38,8 +38,8 @@ IndirectOrigin indirectOrigin(vec3 point, vec3 normal)
 
 // Start of a ray in voxels, off the surface.
 struct IndirectStart {
-    vec3 place;  // in the grid's units
-    float begin; // distance along the ray of that start
+    vec3 place;  // start of the ray in the grid's units
+    float begin; // distance along the ray of the start
     bool full;   // the start lies in a full voxel, as in a corner
 };
 
@@ -77,7 +77,7 @@ bool indirectShownNear(IndirectOrigin origin, vec3 way, float less, inout Indire
         bool shown = (flat_ || seen.z > indirect_view.x) && indirectIsShown(at);
         ivec2 pixel = shown ? ivec2(at) : ivec2(0);
         float depth = texelFetch(indirect_depth, pixel, 0).x;
-        // distance behind the surface; in perspective multiplied by the depth
+        // distance behind the surface, multiplied by the depth in perspective
         float behind = flat_ ? (depth - 1.0) * indirect_view.x - origin.from.z - s * way.z
             : seen.z * depth - indirect_view.x;
         if (shown && depth > 0.0 && behind > 0.0 &&
@@ -91,7 +91,7 @@ bool indirectShownNear(IndirectOrigin origin, vec3 way, float less, inout Indire
 }
 #endif
 
-// Hit in voxels, and the cached radiance there.
+// Finds the hit of a ray in voxels, and the cached radiance at the hit.
 bool indirectVoxel(IndirectOrigin origin, vec3 way, inout IndirectHit hit)
 {
     float t, radius = indirect_reach.x;

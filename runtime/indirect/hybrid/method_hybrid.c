@@ -7,7 +7,7 @@ const IndirectMethod indirect_hybrid = {
     .word = KEYWORD_Indirect_hybrid,
     .automatic = true,
     .reads = INDIRECT_READS_voxels | INDIRECT_READS_radiance | INDIRECT_READS_near,
-    .steps = 4, /* one for each voxel */
+    .steps = 4, /* one step for each voxel */
     .ray = render_text_voxel_ray,
     .hit = render_text_indirect_near,
 };

@@ -12,7 +12,7 @@
 
 enum { FLOATS = 4, BOUNCED_TEXELS = 4, ONCE_TEXELS = 2 };
 
-/* Reports whether any node can send light: of lamps, or emission. */
+/* Reports whether any node can send light: reflected from lamps, or emitted. */
 static bool is_lit(const Scene *scene)
 {
     bool is = (scene_models(scene) & MODEL_EMITS) != 0;

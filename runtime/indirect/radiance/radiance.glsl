@@ -12,8 +12,8 @@ uniform samplerBuffer radiance_kept;
 uniform int radiance_size, radiance_shift;
 
 struct RadianceRay {
-    // in the map's units: the surface's point; the ray's start, a little off the surface; its
-    // direction, of any length
+    // in the map's units: point of the surface; start of the ray, a little off the surface;
+    // direction of the ray, of any length
     vec3 point, start, way;
     float t;                // distance of the hit in multiples of `way`; < 0: no hit
     // The ray begins in a full voxel, as in a corner. voxelRay has then skipped ahead to the first
@@ -31,10 +31,11 @@ vec3 radianceNormal(float packed_)
     vec2 p = vec2(mod(packed_, 4096.0), floor(packed_ / 4096.0)) / 2047.5 - 1.0;
     vec3 n = vec3(p, 1.0 - abs(p.x) - abs(p.y));
     if (n.z < 0.0) n.xy = (1.0 - abs(n.yx)) * vec2(n.x < 0.0 ? -1.0 : 1.0, n.y < 0.0 ? -1.0 : 1.0);
-    return n; // not normalized: |x| + |y| + |z| is 1
+    return n; // the normal has |x| + |y| + |z| = 1 and is not normalized
 }
 
-// Number of a voxel's first node and, in the lowest 6 bits, the set of its sides; 0: no nodes.
+// Returns the number of a voxel's first node and, in the lowest 6 bits, the set of its sides; 0: no
+// nodes.
 uint radianceWord(ivec3 at)
 {
     if (any(lessThan(at, ivec3(0))) || any(greaterThanEqual(at, ivec3(radiance_size)))) return 0u;
@@ -60,9 +61,9 @@ void radianceAdd(int node, vec3 point, vec3 way, inout RadianceSum sum)
     sum.weight += share;
 }
 
-// Light at a ray's end. A ray that begins in a full voxel and meets another surface there, as in a
-// corner, ends there: t is 0. If nodes are coarser than the map, their rays may have missed the
-// surface at the end: then the adjacent voxels are read, too.
+// Returns the light at a ray's end. A ray that begins in a full voxel and meets another surface
+// there, as in a corner, ends there: t is 0. If nodes are coarser than the map, their rays may have
+// missed the surface at the end: then the adjacent voxels are read, too.
 RadianceSum radianceEnd(inout RadianceRay ray)
 {
     const float beside = 0.01;
@@ -88,7 +89,8 @@ RadianceSum radianceEnd(inout RadianceRay ray)
             radianceAdd((first ? nodes.x : last ? nodes.z : nodes.y) * RADIANCE_TEXELS, point, way,
                 sum);
             nodes += ivec3(first, !first && !last, last);
-            if ((left & (left - 1u) & sides) == 0u && first) { // the last node of the start voxel
+            // this was the last node of the start voxel
+            if ((left & (left - 1u) & sides) == 0u && first) {
                 begun = sum;
                 sum = RadianceSum(vec3(0.0), vec3(0.0), 0.0);
             }

@@ -26,13 +26,13 @@
 enum { RADIANCE_SIZE_MAX = 256, RADIANCE_SIDES = 6 };
 
 struct FrameRadiance {
-    Material *keepers; /* by surface kind of the GPU scene: a program that writes nodes */
+    Material *keepers; /* indexed by surface kind of the GPU scene: a program that writes nodes */
     int keeper_count;
-    unsigned char *casts; /* a RadianceCast by place of the GPU scene */
-    Material number;      /* numbers the nodes of each voxel */
+    unsigned char *casts; /* indexed by place of the GPU scene: a RadianceCast */
+    Material number;      /* program that numbers the nodes of each voxel */
     /* Passes over nodes: direct light that they reflect; light of further bounces. */
     ScreenPass light, bounce;
-    GLuint faces, nodes, kept;       /* buffers */
+    GLuint faces, nodes, kept;       /* GL buffers of the cache */
     GLuint faces_words, kept_texels; /* buffer textures of `faces` and `kept`, for rays */
     GLuint framebuffer;
     /* Voxels along an edge: the map's size, at most RADIANCE_SIZE_MAX, halved until the nodes
@@ -55,7 +55,8 @@ bool radiance_make(Renderer *renderer);
 bool radiance_make_capacity(Renderer *renderer, GLuint nodes);
 /* Fills `casts`; call after objects have moved. */
 void radiance_sort(Renderer *renderer);
-int radiance_texels(const Renderer *renderer); /* texels per node in the buffer light */
+/* Returns the texels per node in the buffer light. */
+int radiance_texels(const Renderer *renderer);
 void radiance_delete(Renderer *renderer);
 /* Inputs of a pass with radiance.glsl in its text: definitions; uniforms, with two texture units
  * from `unit` on; binding of these units before a run. */

@@ -7,7 +7,7 @@ uniform float bounce_far;  // ray length in voxels of the map
 
 vec3 bounceDirection(int ray, uint seed, vec3 normal)
 {
-    uint random = seed * 747796405u + 2891336453u; // O'Neill's PCG
+    uint random = seed * 747796405u + 2891336453u; // random numbers by O'Neill's PCG
     random = ((random >> (random >> 28 & 15u) + 4u) ^ random) * 277803737u;
     random ^= random >> 22;
     vec2 s = fract(vec2(float(ray) / float(RADIANCE_RAYS),
@@ -28,7 +28,7 @@ void main()
         return;
     }
     vec3 even = radiance_texels[first + 2u].xyz, sum = vec3(0.0);
-    if (radiance_texels[first].w < 0.0) return; // within a closed mesh
+    if (radiance_texels[first].w < 0.0) return; // the node is within a closed mesh
     vec3 normal = normalize(radianceNormal(radiance_texels[first].w));
     vec3 place = float(1 << radiance_shift) * radiancePlace(number * LISTS_STRIDE, radiance_size);
     vec3 start = voxelStart(place, normal);

@@ -11,7 +11,7 @@
 // the node counts unless nearly all of it is cut away.
 const float RADIANCE_AWAY = 0.99;
 uniform int radiance_size, radiance_shift;
-uniform mat4 radiance_eye; // eye space from voxels
+uniform mat4 radiance_eye; // matrix from voxels to eye space
 
 #define LISTS_WORD(word) radiance_nodes[node + uint(word)]
 
@@ -39,7 +39,7 @@ bool radianceIsBuried(uint node, vec3 place)
 
 void main()
 {
-    const float pixel = 0.0625; // in voxels: the position error that shadows assume
+    const float pixel = 0.0625; // position error that shadows assume, in voxels
     uint number = radianceNumber(), node = number * LISTS_STRIDE, first = number * RADIANCE_TEXELS;
     if (number >= radiance_count) return;
     vec3 place = radiancePlace(node, radiance_size), normal = vec3(0.0);
@@ -47,7 +47,7 @@ void main()
     bool away = false;
 #ifdef SURFACE_HAS_transparency
     away = dot(surface.transparency, vec3(1.0 / 3.0)) > RADIANCE_AWAY;
-    surface.transparency = vec3(0.0); // the opaque part counts in full
+    surface.transparency = vec3(0.0); // lights the opaque part in full
 #endif
     normal[int(radiance_nodes[node] & 7u) >> 1] = (radiance_nodes[node] & 1u) == 1u ? 1.0 : -1.0;
 #ifdef SURFACE_HAS_normal

@@ -11,8 +11,10 @@ layout(std430, binding = 5) buffer RadianceTexels {
     vec4 radiance_texels[];
 };
 
-const uint RADIANCE_BODY = 0x80000000u;  // in a node's first word: its surface is of a closed mesh
-const uint RADIANCE_PLACE = 0x3FFFFFFFu; // in a node's first word: the voxel times 8, plus the side
+// bit of a node's first word: its surface belongs to a closed mesh
+const uint RADIANCE_BODY = 0x80000000u;
+// bits of a node's first word: the voxel times 8, plus the side
+const uint RADIANCE_PLACE = 0x3FFFFFFFu;
 
 uint radianceNumber()
 {
@@ -20,8 +22,8 @@ uint radianceNumber()
         gl_LocalInvocationIndex;
 }
 
-// Position of a node in voxels, `size` along an edge: on the line along the node's axis through the
-// voxel's center, at the stored depth.
+// Returns the position of a node in voxels, `size` along an edge: on the line along the node's axis
+// through the voxel's center, at the stored depth.
 vec3 radiancePlace(uint node, int size)
 {
     int voxel = int((radiance_nodes[node] & RADIANCE_PLACE) >> 3),

@@ -8,14 +8,14 @@ layout(std430, binding = 2) buffer RadianceFaces {
 layout(std430, binding = 4) buffer RadianceNodes {
     uint radiance_nodes[];
 };
-uniform int radiance_step; // run, 0 to 2
-uniform int radiance_side; // twice the axis; plus 1: viewed from its upper end
+uniform int radiance_step; // number of the run, 0 to 2
+uniform int radiance_side; // twice the axis; plus 1 if viewed from the axis' upper end
 uniform int radiance_size; // voxels along an edge
 uniform bool radiance_body; // the mesh is closed and fills voxels
 
-// minus the bits of a depth in [0, 1]: larger is nearer; > 0
+// minuend for the bits of a depth in [0, 1]: the difference is > 0, and larger is nearer
 const uint RADIANCE_NEAREST = 0x3F800001u;
-const uint RADIANCE_KEPT = 0x40000000u; // in a node's first word: its surface is stored
+const uint RADIANCE_KEPT = 0x40000000u; // bit of a node's first word: its surface is stored
 
 void main()
 {
@@ -29,7 +29,8 @@ void main()
         atomicOr(radiance_faces[voxel], side);
         return;
     }
-    if (radiance_step == 2) surfaceMain(); // called by every fragment, since it takes derivatives
+    // every fragment calls surfaceMain(), since it takes derivatives
+    if (radiance_step == 2) surfaceMain();
     uint word = radiance_faces[voxel], nearness = RADIANCE_NEAREST - floatBitsToUint(depth);
     uint node = ((word >> 6) + uint(bitCount(word & 63u & (side - 1u)))) * LISTS_STRIDE;
     if (radiance_step == 1) {

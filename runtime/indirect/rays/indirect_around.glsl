@@ -15,7 +15,7 @@
 uniform float around_share;
 uniform float around_level; // mipmap level of the sky's cube map
 
-// Ambient radiance from an eye-space direction.
+// Returns the ambient radiance from an eye-space direction.
 vec3 aroundAt(vec3 way)
 {
     vec3 sum = vec3(0.0);

@@ -1,6 +1,6 @@
-// Start offset of marched rays, and of sample points: the key `offset`; otherwise the smallest at
-// which rays do not hit the flat surface that they leave, given the resolution of the depth buffer
-// (pixel centers) or of the voxels (voxelStart).
+// Returns the start offset of marched rays, and of sample points: the key `offset`; otherwise the
+// smallest at which rays do not hit the flat surface that they leave, given the resolution of the
+// depth buffer (pixel centers) or of the voxels (voxelStart).
 float indirectLift(vec3 point, vec3 normal)
 {
 #ifdef INDIRECT_VOXELS

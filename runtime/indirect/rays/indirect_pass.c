@@ -31,7 +31,7 @@ static bool turns_bits(const IndirectSequence *of)
     return of->rotation == KEYWORD_Rotation_tile && of->sequence == KEYWORD_Sequence_sobol;
 }
 
-/* Number of vectors of the block that hold shifts. */
+/* Returns the number of vectors of the block that hold shifts. */
 static int shifts_of(const IndirectSequence *of)
 {
     const int edge = indirect_sequence_edge(of);
@@ -76,7 +76,7 @@ void indirect_define(const Renderer *renderer, int coarse, char text[INDIRECT_DE
 
 int indirect_filter_size(const Renderer *renderer, int coarse)
 {
-    const int widest = 8; /* pixels of the picture */
+    const int widest = 8; /* max filter size in pixels of the picture */
     const SceneIndirect *in = &renderer->scene->indirect;
     const IndirectSequence sequence = sequence_of(renderer);
     const int edge = indirect_sequence_edge(&sequence);
@@ -101,7 +101,8 @@ double indirect_near(const Renderer *renderer)
  * may be off by its diagonal. zw: the picture's pixel at the tile's origin. */
 static void set_models(const Renderer *renderer, float models[4])
 {
-    const double thick = 2, part = .5; /* in voxels; in ray lengths */
+    const double thick = 2,
+                 part = .5; /* thickness of surfaces: in voxels; as a share of the ray length */
     const SceneIndirect *in = &renderer->scene->indirect;
     const bool voxels = indirect_reads_voxels(renderer);
     const double edge = voxels ? voxel_grid(renderer->scene, &renderer->gpu_scene).edge : 0;

@@ -4,9 +4,10 @@
 uniform sampler2D indirect_depth;
 layout(std140) uniform Indirect {
 #include "indirect.layout.def"
-    vec4 indirect_samples[INDIRECT_RAYS]; // z: third coordinate, for the method points
+    // sample points; z: third coordinate, for the method points
+    vec4 indirect_samples[INDIRECT_RAYS];
 #ifdef INDIRECT_ROTATION_blue
-    uvec4 indirect_shifts[INDIRECT_SHIFTS]; // blue noise ranks, two per component
+    uvec4 indirect_shifts[INDIRECT_SHIFTS]; // random shifts as blue noise ranks, two per component
 #elif defined INDIRECT_ROTATION_tile
     vec4 indirect_shifts[INDIRECT_SHIFTS]; // random shifts of a tile's pixels
 #endif
@@ -14,7 +15,7 @@ layout(std140) uniform Indirect {
 
 bool indirectIsOrthographic() { return indirect_view.y > 0.0; }
 
-// Eye-space point of a pixel's surface; depth > 0.
+// Returns the eye-space point of a pixel's surface; depth > 0.
 vec3 indirectPoint(ivec2 pixel, float depth)
 {
     vec3 ray = vec3((vec2(2 * pixel + 1) - indirect_ray.zw) * indirect_ray.xy, -1.0);
@@ -22,7 +23,7 @@ vec3 indirectPoint(ivec2 pixel, float depth)
         : ray * (indirect_view.x / depth);
 }
 
-// Position in the picture of a point before the eye.
+// Returns the position in the picture of a point before the eye.
 vec2 indirectPlace(vec3 point)
 {
     vec2 flat_ = indirectIsOrthographic() ? point.xy : point.xy / -point.z;
@@ -36,7 +37,7 @@ bool indirectIsShown(vec2 place)
     return all(greaterThanEqual(place, indirectLow())) && all(lessThan(place, indirect_picture.xy));
 }
 
-// Width of a pixel in eye-space units, at a point.
+// Returns the width of a pixel in eye-space units, at a point.
 float indirectPixelSize(vec3 point)
 {
     return 2.0 * indirect_ray.x * (indirectIsOrthographic() ? 1.0 : -point.z);
@@ -67,7 +68,8 @@ vec2 indirectRandom(uvec2 v)
 // for Sobol's sequence in tiles as described there; otherwise multiples of 1 / p and 1 / p^2, p the
 // plastic number, which fill a square evenly (Roberts 2018), and of the golden ratio.
 struct IndirectShift {
-    vec3 at, more; // xy: both by exclusive or, or both by addition modulo 1
+    // shifts in xy: both are applied by exclusive or, or both by addition modulo 1
+    vec3 at, more;
 };
 
 #ifdef INDIRECT_ROTATION_blue
@@ -143,7 +145,7 @@ vec3 indirectDirection(vec2 s)
     return vec3(r * cos(turn), r * sin(turn), z);
 }
 
-// Occlusion by a hit at a share t of the ray length, in [0, 1].
+// Returns the occlusion by a hit at a share t of the ray length, in [0, 1].
 float indirectWeight(float t)
 {
 #ifdef INDIRECT_WEIGHT_linear
@@ -164,14 +166,14 @@ vec3 indirectNormal(ivec2 pixel)
 #endif
 }
 
-// Hit of a ray.
+// The hit of a ray: its distance, the pixel that shows it, and further radiance.
 struct IndirectHit {
     float t;     // distance as a share of the ray length; < 0: no hit
     ivec2 pixel; // pixel that shows the hit; < 0: none
-    vec3 sent;   // radiance to add to the pixel's: from the radiance cache
+    vec3 sent;   // radiance from the radiance cache, added to the pixel's
 };
 
-// Pixel of the picture from which a pixel of the ray pass traces its rays.
+// Returns the pixel of the picture from which a pixel of the ray pass traces its rays.
 ivec2 indirectPixel(ivec2 small)
 {
     return min(small * INDIRECT_COARSE + INDIRECT_COARSE / 2, ivec2(indirect_picture.xy) - 1);
@@ -183,8 +185,8 @@ uniform sampler2D indirect_light;
 uniform sampler2D indirect_before; // light of the previous bounces
 #endif
 
-// Radiance that a pixel's surface sends against the direction `way`, with previous bounces; 0 if
-// its visible side faces away.
+// Returns the radiance that a pixel's surface sends against the direction `way`, with previous
+// bounces; 0 if its visible side faces away.
 vec3 indirectSent(ivec2 pixel, vec3 way)
 {
     if (dot(indirectNormal(pixel), way) >= 0.0) return vec3(0.0);

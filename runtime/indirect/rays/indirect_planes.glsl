@@ -1,10 +1,11 @@
 // Infinite planes, which voxels do not hold: rays intersect them analytically. A plane sends light
 // where it is on screen; elsewhere it is black.
 layout(std140) uniform IndirectPlanes {
-    vec4 indirect_planes[INDIRECT_PLANES]; // in eye space: dot(plane, vec4(point, 1)) = 0
+    vec4 indirect_planes[INDIRECT_PLANES]; // planes in eye space: dot(plane, vec4(point, 1)) = 0
 };
 
-// Signed distance of a point from a plane, times the plane's scale; exactly 0 within rounding.
+// Returns the signed distance of a point from a plane, times the plane's scale; exactly 0 within
+// rounding.
 float indirectOffPlane(vec4 plane, vec3 point)
 {
     const float rounding = 4e-6;

@@ -20,7 +20,7 @@ static void pass_rays_place(Renderer *renderer)
 {
     indirect_forget(renderer);
     FrameIndirect *in = renderer->indirect;
-    enum { RAYS = 4 }; /* the first of the passes, which trace rays */
+    enum { RAYS = 4 }; /* number of passes that trace rays, the first of the passes */
     ScreenPass *passes[] = {&in->rays,          &in->again,         &in->moving.rays,
                             &in->moving.again,  &in->smooth,        &in->spread,
                             &in->moving.smooth, &in->moving.spread, &in->history.blend,
@@ -137,7 +137,7 @@ static void run(Renderer *renderer, ScreenPass *pass)
     if (indirect_reads_voxels(renderer))
         voxel_bricks_bind(renderer, VOXEL_UNIT);
     if (radiance_needed(renderer)) {
-        /* after the pass radiance, which may change its size */
+        /* set after the pass radiance, which may change the size of the cache */
         radiance_set(renderer, RADIANCE_UNIT, pass);
         radiance_bind(renderer, RADIANCE_UNIT);
     }
@@ -150,7 +150,7 @@ static void run(Renderer *renderer, ScreenPass *pass)
 
 void pass_rays_draw(Renderer *renderer)
 {
-    const unsigned most = 4096; /* sets with distinct shifts, which are computed in floats */
+    const unsigned most = 4096; /* max sets with distinct shifts, which are computed in floats */
     if (indirect_moves(renderer)) {
         run(renderer, &renderer->indirect->moving.rays);
         return;

@@ -20,11 +20,11 @@ float indirectPrimitive(float t, float g)
 }
 
 struct IndirectSlice {
-    vec3 sight, aside; // unit vectors, perpendicular; the slice extends to both sides of `sight`
+    vec3 sight, aside; // perpendicular unit vectors; the slice extends to both sides of `sight`
     float g, left, all; // the normal's angle; the integral up to `sight`; the whole integral
 };
 
-// Position of an angle among the sectors, from 0 to 32.
+// Returns the position of an angle among the sectors, from 0 to 32.
 float indirectSector(IndirectSlice slice, float t)
 {
     t = clamp(t, slice.g - 1.57079632679490, slice.g + 1.57079632679490);
@@ -32,7 +32,7 @@ float indirectSector(IndirectSlice slice, float t)
     return 32.0 * clamp((t < 0.0 ? slice.left - p : slice.left + p) / slice.all, 0.0, 1.0);
 }
 
-// Angle from the line of sight, times `side`: 0 to pi in absolute value.
+// Returns the angle from the line of sight, times `side`: 0 to pi in absolute value.
 float indirectAngle(vec3 way, IndirectSlice slice, float side)
 {
     return side * atan(max(side * dot(way, slice.aside), 0.0), dot(way, slice.sight));
@@ -91,7 +91,7 @@ vec4 indirectAround(ivec2 pixel, IndirectShift shifts, vec3 point, vec3 normal, 
                 float depth = texelFetch(indirect_depth, at, 0).x;
                 if (depth <= 0.0 || at == pixel) continue;
                 vec3 way = indirectPoint(at, depth) - from;
-                // also when the pixel's center, off the half plane, seems higher
+                // skips points below the half plane, even if the pixel's center seems higher
                 if (dot(way, normal) <= 0.0) continue;
                 float far = length(way);
                 if (far > indirect_reach.x) continue;

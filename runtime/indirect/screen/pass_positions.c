@@ -14,7 +14,7 @@
 /* Views and their cameras, which orbit the center of all objects to the right or upwards. */
 static const struct {
     const char *name;
-    double right, up; /* degrees */
+    double right, up; /* angles in degrees */
 } views[] = {{"positions", 60, 0}, {"positions1", 0, 60}, {"positions2", -60, 0}};
 enum { VIEWS = sizeof views / sizeof *views };
 

@@ -5,7 +5,7 @@
 
 struct FramePositions {
     Material material;
-    GLuint array; /* no buffers: vertices are computed from gl_VertexID */
+    GLuint array; /* array without buffers: vertices are computed from gl_VertexID */
 };
 
 bool pass_positions_is_view(const char *view);

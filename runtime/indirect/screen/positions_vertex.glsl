@@ -5,9 +5,9 @@
 uniform sampler2D positions_depth;
 uniform mat3 positions_turn;
 uniform vec4 positions_middle; // center of rotation
-uniform vec4 positions_ray, positions_view; // of view_space.h
+uniform vec4 positions_ray, positions_view; // uniforms of view_space.h
 uniform vec4 positions_clip;   // scales of x, y and z; w: offset of z
-uniform vec4 positions_w;      // x: scale of z, y: offset, which give clip space w
+uniform vec4 positions_w;      // clip space w: x is the scale of z, y the offset
 out vec3 position;
 // 1: surface in the depth buffer; 0: triangle between two surfaces, where the depth buffer has no
 // data

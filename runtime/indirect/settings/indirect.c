@@ -12,7 +12,7 @@ static bool is_reported(const Renderer *renderer)
     return renderer->scene && scene_indirect_is(renderer->scene);
 }
 
-/* A scene without objects has no indirect light. */
+/* Reports whether indirect light is on. A scene without objects has none. */
 bool indirect_is(const Renderer *renderer)
 {
     return is_reported(renderer) && renderer->scene->object_count > 0;
@@ -23,7 +23,7 @@ bool indirect_shows(const Renderer *renderer, const char *view)
     return renderer->options.view && !strcmp(renderer->options.view, view);
 }
 
-/* The radiance cache already includes further bounces. */
+/* Reports whether bounces are repeated. The radiance cache already includes further bounces. */
 bool indirect_is_repeated(const Renderer *renderer)
 {
     return indirect_is(renderer) && !indirect_reads_radiance(renderer) &&

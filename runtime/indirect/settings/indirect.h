@@ -30,9 +30,10 @@ bool indirect_reads_voxels(const Renderer *renderer);
 bool indirect_reads_radiance(const Renderer *renderer);
 /* Returns the resolution divisor of the ray pass per axis: 1, 2 or 4. */
 int indirect_coarse(const Renderer *renderer);
-/* Returns the resolution divisor while something moves, if it is larger; else 0. */
+/* Returns the resolution divisor for frames in which something moves; 0: not larger than the
+ * usual one. */
 int indirect_moving(const Renderer *renderer);
-/* Reports whether this frame uses the divisor for motion. */
+/* Reports whether this frame uses the resolution divisor for motion. */
 bool indirect_moves(const Renderer *renderer);
 
 /* -- Temporal accumulation */

@@ -7,16 +7,18 @@
 /* Inputs of a method's rays, in addition to depth, G-buffer and light. */
 typedef enum {
     INDIRECT_READS_voxels = 1,
-    INDIRECT_READS_voxels_by_march = 2, /* voxels if the key `march` selects them */
-    INDIRECT_READS_radiance = 4,        /* radiance cache: light of hits that are not on screen */
-    INDIRECT_READS_near = 8             /* the depth buffer, for a ray's first voxels only */
+    INDIRECT_READS_voxels_by_march = 2, /* reads voxels if the key `march` selects them */
+    /* reads the radiance cache for hits that are not on screen */
+    INDIRECT_READS_radiance = 4,
+    INDIRECT_READS_near = 8 /* reads the depth buffer, for a ray's first voxels only */
 } IndirectReads;
 
 typedef struct {
-    Keyword word;    /* keyword of the list Indirect */
-    bool automatic;  /* `auto` selects the first such row that the scene and the driver support */
+    Keyword word; /* the method's keyword of the list Indirect */
+    /* `auto` selects the first row with this flag that the scene and the driver support */
+    bool automatic;
     unsigned reads;  /* a set of IndirectReads */
-    bool unlit;      /* finds ambient occlusion, but no light */
+    bool unlit;      /* the method finds ambient occlusion, but no light */
     bool one_shift;  /* a pixel's samples share one random shift */
     int steps;       /* default of the key `steps` */
     const char *ray; /* GLSL after voxel_map.glsl: a ray through voxels; NULL without voxels */

@@ -5,20 +5,21 @@
 #include "runtime/indirect/settings/indirect_method.h"
 
 typedef struct {
-    /* By object: its matrix at the last accumulated frame; NULL: frames do not accumulate. */
+    /* Indexed by object: its matrix at the last accumulated frame; NULL: frames do not
+     * accumulate. */
     SceneMatrix *kept;
-    int first, end;   /* range of objects that may have moved since */
-    Material number;  /* draws motion ids */
+    int first, end;   /* range of objects that may have moved since the last accumulated frame */
+    Material number;  /* program that draws motion ids */
     Framebuffer seen; /* motion ids, integers, 0 for none; made on the first move */
 } IndirectMotion;
 
 /* State of temporal accumulation: pass_temporal.c. */
 typedef struct {
     ScreenPass blend, place;
-    Framebuffer values[2], places[2]; /* double buffered: one is read, the other written */
+    Framebuffer values[2], places[2]; /* double buffers: a frame reads one and writes the other */
     int last;                         /* index of the buffer written last */
     int sets;                         /* sets of rays accumulated since the last change */
-    unsigned number;                  /* number of all sets so far */
+    unsigned number;                  /* number of sets since the start */
     /* History exists; nothing has changed since; the wanted error is reached. */
     bool there, still, exact;
     unsigned dirty;            /* bit set of IndirectDirty: samples that may be out of date */
@@ -35,11 +36,12 @@ typedef struct {
 
 /* State of the passes. */
 struct FrameIndirect {
-    const IndirectMethod *method; /* NULL: the scene has no indirect light */
+    const IndirectMethod *method; /* method of the rays; NULL: the scene has no indirect light */
     IndirectHistory history;
     IndirectMoving moving;
     Framebuffer between; /* intermediate à-trous levels: the target ao, or a part of it */
     IndirectMotion motion;
-    ScreenPass rays, again, smooth, spread, combine; /* again: rays of further bounces */
+    /* `again` traces the rays of further bounces */
+    ScreenPass rays, again, smooth, spread, combine;
 };
 #endif

@@ -1,6 +1,6 @@
 // The pass cubes: full voxels as the camera sees them, colored by the component of the map that
 // holds them: 32 voxels red, 32 green, 32 blue, 32 gray.
-uniform vec4 cubes_ray, cubes_view;                    // of view_space.h
+uniform vec4 cubes_ray, cubes_view;                    // uniforms of view_space.h
 // the camera's axes and position, in voxels
 uniform vec4 cubes_right, cubes_up, cubes_back, cubes_eye;
 uniform int cubes_level;

@@ -179,7 +179,8 @@ static void draw_surface(Renderer *renderer)
     }
     if (!has_surfaces(renderer))
         return;
-    use_layers(renderer, voxels->within, 0, 0, 1); /* only defines the framebuffer's size */
+    /* the attached layer only defines the framebuffer's size */
+    use_layers(renderer, voxels->within, 0, 0, 1);
     gl->DrawBuffers(1, (const GLenum[]){GL_NONE});
     gl->BindImageTexture(0, voxels->surface, 0, GL_TRUE, 0, GL_READ_WRITE, GL_R32UI);
     for (int axis = 0; axis < 3; axis++) {

@@ -1,5 +1,5 @@
 // A coarser level of the slice map: 2 x 2 columns become one; voxels keep their length along z.
-uniform usampler2DArray voxel_below; // the finer level, selected as base level
+uniform usampler2DArray voxel_below; // map of which the finer level is selected as base level
 layout(location = 0) out uvec4 voxels[VOXEL_LAYERS];
 
 void main()

@@ -9,10 +9,10 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* In voxels. In a flat wall of that thickness or more, each line through voxel centers along the
- * axis nearest to the wall's normal has a center inside. */
+/* Min thickness of a body in voxels. In a flat wall of that thickness or more, each line through
+ * voxel centers along the axis nearest to the wall's normal has a center inside. */
 #define THINNEST 1.5
-/* In voxels: max edge of a surface whose triangles are rasterized one per invocation. The bound
+/* Max edge in voxels of a surface whose triangles are rasterized one per invocation. The bound
  * limits the work of an invocation, and keeps areas within 32-bit integers. */
 #define FINEST 8
 

@@ -6,7 +6,7 @@
 
 enum { BRICKS_BINDING = 2, MAP_UNIT = 0, BRICK = 4, GROUP = 4 };
 
-/* Base 2 logarithm of the finest level's bricks along an edge. */
+/* Returns the base 2 logarithm of the finest level's bricks along an edge. */
 static int log_of(const FrameVoxels *voxels)
 {
     int log = 0;
@@ -15,7 +15,7 @@ static int log_of(const FrameVoxels *voxels)
     return log;
 }
 
-/* Size of all levels: eight bytes per brick. The coarsest level comes first. */
+/* Returns the size of all levels: eight bytes per brick. The coarsest level comes first. */
 static GLsizeiptr bytes_of(const FrameVoxels *voxels)
 {
     return (GLsizeiptr)(((size_t)1 << 3 * (log_of(voxels) + 1)) / 7 * 2 * sizeof(GLuint));

@@ -6,7 +6,7 @@ layout(std430, binding = 2) buffer VoxelBricks {
     uvec2 bricks[];
 };
 uniform usampler2DArray brick_map;
-uniform int brick_log; // the level has 2^brick_log bricks along an edge
+uniform int brick_log; // log2 of the number of bricks along an edge of the level
 uniform bool brick_lowest;
 
 int brickPlace(ivec3 at, int log_)

@@ -38,7 +38,7 @@ static VoxelRange range_of(const Scene *scene, const GpuScene *gpu_scene)
 
 VoxelGrid voxel_grid(const Scene *scene, const GpuScene *gpu_scene)
 {
-    /* min voxel, relative to the largest coordinate: floats must resolve it */
+    /* min voxel edge relative to the largest coordinate, so that floats resolve the grid */
     const double least = 1e-6;
     const VoxelRange range = range_of(scene, gpu_scene);
     VoxelGrid grid = {.size = scene->voxel_size};
@@ -60,7 +60,7 @@ void voxel_grid_clip(const VoxelGrid *grid, int axis, bool zero_to_one, double c
     clip[15] = 1;
     for (int row = 0; row < 3; row++) {
         const int from = (axis + 1 + row) % 3;
-        const bool parts = row == 2 && zero_to_one; /* depth from 0, else from -1 */
+        const bool parts = row == 2 && zero_to_one; /* maps to depths from 0, else from -1 */
         clip[4 * from + row] = parts ? over : 2 * over;
         clip[12 + row] = -grid->low[from] * over * (parts ? 1 : 2) - (parts ? 0 : 1);
     }

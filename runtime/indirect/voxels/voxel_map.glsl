@@ -22,7 +22,7 @@ const int voxel_size = VOXEL_SIZE;
 #else
 uniform int voxel_size; // voxels along an edge: a power of two
 #endif
-uniform mat4 voxel_from_eye;        // grid units from eye space
+uniform mat4 voxel_from_eye;        // matrix from eye space to grid units
 uniform float voxel_off;            // start offset of rays from a surface, in voxel widths
 
 // Transform a position and a direction from eye space. A ray's t is the same in both spaces.
@@ -36,17 +36,17 @@ vec3 voxelDirection(vec3 eye)
     return mat3(voxel_from_eye) * eye;
 }
 
-// Start of a ray from a surface with a unit normal: above it by half a voxel's width along the
-// normal, so that full voxels of a flat body, whose centers lie below the surface, are not in the
-// ray's way. If the scene has open meshes, whose full voxels have centers on either side, the
-// offset is a little larger.
+// Returns the start of a ray from a surface with a unit normal: above it by half a voxel's width
+// along the normal, so that full voxels of a flat body, whose centers lie below the surface, are
+// not in the ray's way. If the scene has open meshes, whose full voxels have centers on either
+// side, the offset is a little larger.
 vec3 voxelStart(vec3 place, vec3 normal)
 {
     return place + voxel_off * dot(abs(normal), vec3(1.0)) * normal;
 }
 
-// Number of a brick of a level. The bricks of all coarser levels number a sum of powers of 8, one
-// bit per level, selected by the mask.
+// Returns the number of a brick of a level. The bricks of all coarser levels number a sum of powers
+// of 8, one bit per level, selected by the mask.
 int voxelBrickNumber(ivec3 at, int level)
 {
     int edge = voxel_size >> (level + 2);
@@ -76,11 +76,11 @@ bool voxelAt(vec3 place)
 struct VoxelWay {
     vec3 start;        // start in the grid, or where the ray enters it; mirrored
     vec3 along, over;  // mirrored direction: largest component 1, all > 0; its reciprocal
-    ivec3 turn;        // per axis: voxel i of the mirrored grid is i ^ turn
-    float scale;       // length along this ray = t of the original ray * scale
+    ivec3 turn;        // the mirrored grid's voxel i along an axis is voxel i ^ turn
+    float scale;       // length along the mirrored ray = t of the original ray * scale
     float begin, most; // length before the start; max length after it
     bool within;       // the ray begins in the grid
-    int axis;          // axis of the face through which the ray enters; 3: begins within
+    int axis;          // axis of the face through which the ray enters; 3: the ray begins within
 };
 
 // Prepares a traversal. Components of a direction below 1e-20 of the largest are raised to that
@@ -111,7 +111,7 @@ bool voxelSetOut(vec3 from, vec3 direction, float far, out VoxelWay way)
         way.most >= 0.0;
 }
 
-// Lengths along the ray to a plane across each axis.
+// Returns the lengths along the ray to a plane across each axis.
 vec3 voxelCrossings(VoxelWay way, vec3 planes)
 {
     VOXEL_EXACT vec3 lengths = (planes - way.start) * way.over;

@@ -10,7 +10,7 @@
 //     A ray of slope 1/4 over an empty floor of 64 x 64 voxels: bricks 4, 8, 16, 32, ... wide,
 //         which contain the floor, but not in the box that the ray passes.
 struct VoxelMeeting {
-    float t;    // in multiples of the ray's direction
+    float t;    // distance in multiples of the ray's direction
     ivec3 at;   // the full voxel that was hit
     int bricks; // number of bricks read
 };
@@ -34,7 +34,8 @@ bool voxelMeets(vec3 from, vec3 direction, float far, out VoxelMeeting meeting)
     // max steps; a walk has fewer than 3 * 512, and each step may shrink the block from every
     // second width
     const int most = 8192;
-    const float beside = 0.002; // in voxels: exceeds the rounding error of a position on the ray
+    // offset in voxels that exceeds the rounding error of a position on the ray
+    const float beside = 0.002;
     VoxelWay way;
     meeting = VoxelMeeting(far, ivec3(0), 0);
     if (!voxelSetOut(from, direction, far, way)) return false;
@@ -42,7 +43,8 @@ bool voxelMeets(vec3 from, vec3 direction, float far, out VoxelMeeting meeting)
     vec3 start = way.start - beside;
     float entered = 0.0;
     int wide = 2, last_read = -1;
-    bool own = way.within, met = false; // own: only full voxels so far, in which the ray began
+    // `own`: all full voxels so far are those in which the ray began
+    bool own = way.within, met = false;
     for (int steps = 0; !met && steps < most && entered <= way.most &&
         ((at.x | at.y | at.z) & voxel_size) == 0; steps++) {
         int level = max(wide - 2, 0);

@@ -1,9 +1,10 @@
 // Ray traversal of the slice map, voxel by voxel. Preceded by voxel_map.glsl.
 uniform usampler2DArray voxel_slices; // the slice map: a texel holds 128 voxels along z
 struct VoxelHit {
-    float way; // t where the ray enters the voxel, in multiples of its direction; < 0: no hit
+    // ray parameter t at which the ray enters the voxel, in multiples of the direction; < 0: no hit
+    float way;
     ivec3 at;
-    int axis;  // axis of the face through which the ray enters; 3: begins within
+    int axis;  // axis of the face through which the ray enters; 3: the ray begins within
     int steps; // number of voxels read
 };
 

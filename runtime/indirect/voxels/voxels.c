@@ -3,7 +3,7 @@
 #include "runtime/frame_graph/frame.h"
 #include <string.h>
 
-/* Levels have one digit: 512 voxels have ten levels, 0 to 9. */
+/* Returns the level of a view's name, which ends in a digit: 512 voxels have ten levels, 0 to 9. */
 int voxels_view_level(const char *view)
 {
     static const char name[] = "voxels";

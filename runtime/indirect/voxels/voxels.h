@@ -20,7 +20,7 @@ enum {
 
 /* A cube of voxels around all objects, with at least one empty layer on each side. */
 typedef struct {
-    double low[3], edge; /* in world units: lowest corner; edge of a voxel */
+    double low[3], edge; /* in world units: lowest corner of the grid; edge of a voxel */
     int size;            /* voxels along an edge of the grid */
 } VoxelGrid;
 
@@ -33,11 +33,11 @@ typedef struct {
 
 struct FrameVoxels {
     VoxelGrid grid;
-    int layers, levels; /* of the map; coarser levels exist for views only */
-    VoxelShape *shapes; /* by mesh of the GPU scene */
-    /* By place of the GPU scene: 0, a surface; VOXELS_FINE, a surface of small triangles; else a
-     * body, and the wave in which it is drawn. Bodies of one wave do not overlap, since overlaps
-     * would cancel out. */
+    int layers, levels; /* size of the map; coarser levels exist for views only */
+    VoxelShape *shapes; /* measurements, indexed by mesh of the GPU scene */
+    /* Indexed by place of the GPU scene: 0, a surface; VOXELS_FINE, a surface of small
+     * triangles; else a body, and the wave in which it is drawn. Bodies of one wave do not
+     * overlap, since overlaps would cancel out. */
     unsigned char *waves;
     int wave_count;
     /* Interiors of closed meshes, in the form of the map; surfaces of others: R32UI, one word
@@ -45,13 +45,13 @@ struct FrameVoxels {
     GLuint within, surface;
     /* Union of both; in a coarser level a texel is the union of 2 x 2. */
     GLuint map;
-    GLuint bricks, buffer; /* the map as rays read it: a buffer texture, RG32UI: voxel_bricks.c */
+    GLuint bricks, buffer; /* the map as rays read it, an RG32UI buffer texture: voxel_bricks.c */
     GLuint framebuffer;
     /* Programs that fill `within`; `surface` (two); the map's finest level; coarser levels; the
      * bricks. */
     Material flip, touch, fine, merge, above, brick;
-    GLuint fine_places;       /* a buffer, filled from fine_rows: voxel_fine.c */
-    float (*fine_rows)[3][4]; /* capacity: all places of the GPU scene */
+    GLuint fine_places;       /* storage buffer, filled from fine_rows: voxel_fine.c */
+    float (*fine_rows)[3][4]; /* matrices, with capacity for all places of the GPU scene */
     bool drawn;               /* the map holds the current scene */
     ScreenPass view;
 };

@@ -17,7 +17,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { BITS = 8 /* bits per component of the mask */ };
+enum { BITS = 8 /* number of bits per component of the mask */ };
 
 /* -- programs */
 

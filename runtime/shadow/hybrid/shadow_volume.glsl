@@ -12,7 +12,7 @@
 // and the diagonal is a-c.
 bool volumeTurned(vec4 quad)
 {
-    vec4 steps = quad.xyxw - quad.wzyz; // depth steps along the left, right, lower, upper edge
+    vec4 steps = quad.xyxw - quad.wzyz; // depth steps along the left, right, lower and upper edge
     steps *= steps;
     return (steps.x < steps.y && steps.w < steps.z) || (steps.y < steps.x && steps.z < steps.w);
 }
@@ -24,7 +24,7 @@ vec2 volumePlace(ivec2 texel, float size, bool stretched)
     return vec2(2 * texel + (stretched ? 0 : 1)) / (stretched ? size - 1.0 : size) - 1.0;
 }
 
-// Returns the same for a position between centers, in texels from the first center.
+// Returns the position, from -1 to 1, of a point between centers, in texels from the first center.
 vec2 volumePlace(vec2 texel, float size, bool stretched)
 {
     return (2.0 * texel + (stretched ? 0.0 : 1.0)) / (stretched ? size - 1.0 : size) - 1.0;

@@ -5,7 +5,7 @@
 #include "runtime/gl/framebuffer.h"
 
 enum {
-    VOLUME_LIGHTS = 32,   /* lights with hybrid shadows in a scene: bits of the mask */
+    VOLUME_LIGHTS = 32,   /* max lights with hybrid shadows in a scene: bits of the mask */
     VOLUME_AUTO_MIB = 256 /* memory limit of buffers for the path auto */
 };
 
@@ -13,19 +13,19 @@ enum {
 typedef struct {
     /* Programs by view, for hybrid views; caps for perspective ones. */
     Material *sheets, *caps;
-    Material *marks; /* programs by hybrid light */
-    Material *shown; /* like sheets, for a debug view; NULL: none */
+    Material *marks; /* programs that mark the mask, indexed by hybrid light */
+    Material *shown; /* programs of a debug view, like `sheets`; NULL: none */
     int view_count, light_count;
     GLuint array; /* vertex array without attributes, for caps and cells */
-    Keyword path; /* path of volume_data.c, like the members below; never auto */
+    Keyword path; /* path of volume_data.c that fills the members below; never auto */
     GLuint *arrays;
     int array_count;          /* number of arrays: 1, or the number of hybrid views */
-    GLuint indices, vertices; /* 0: vertices read the depth map */
+    GLuint indices, vertices; /* index and vertex buffers; 0: vertices read the depth map */
     GLsizei index_count;      /* number of indices per view */
     Material writer;
     Framebuffer corners; /* corners of quads, 2 x 2 texels each, before they are copied */
     Material blur;
-    GLuint sharp;           /* depths before blurring */
+    GLuint sharp;           /* texture of the depths before blurring */
     GLuint cells, commands; /* buffers of volume_cells.c: lists of cells, and draw commands */
 } FrameVolumes;
 
@@ -85,13 +85,13 @@ const char *volume_cells_maps(void);
 void volume_cells_draw(const Renderer *renderer, int view, int number);
 /* Draws all cells in a fixed order, for a view that blends colors. */
 void volume_cells_draw_all(const Renderer *renderer, int view, int number);
-/* Returns the bytes of the lists. */
+/* Returns the size of the lists of cells in bytes. */
 size_t volume_cells_bytes(const Renderer *renderer);
 void volume_cells_delete(Renderer *renderer);
 
 /* -- Debug views (volume_shown.c) -------------------------------------------------------------- */
 
-/* Finds a debug view by its name; NULL: not one of this technique. */
+/* Finds a debug view of the technique by its name; NULL: unknown. */
 const FrameLook *volume_shown_find(const char *name);
 /* Volumes in a debug view: made after the maps; updated for a new camera or tile; drawn to the
  * targets light and tools, with depth. */

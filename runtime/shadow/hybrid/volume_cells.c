@@ -13,7 +13,7 @@ enum {
     LIST,
     COMMANDS /* LIST, COMMANDS: binding points */,
     GROUP = 8,
-    PARTS = 2 /* cells without and with crossings */,
+    PARTS = 2 /* kinds of cells: without and with crossings */,
     CROSSINGS_UNIT = 1
 };
 

@@ -24,19 +24,20 @@
 const int VOLUME_MAX = 10; // max triangles of a cell
 const int VOLUME_TRIANGLES[7] = int[7](2, 4, 4, 6, 6, 8, 10);
 const int VOLUME_CORNERS[210] = int[210](
-    // no crossing on any segment
+    // without crossings
     0, 3, 6, 0, 6, 9, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
-    // one, on segment 0, with center 0 nearer; or center 1 nearer: the wall is on the deeper side
+    // one crossing, on segment 0, with center 0 nearer; or center 1 nearer: the wall is on the
+    // deeper side
     0, 1, 9, 1, 2, 9, 2, 6, 9, 2, 3, 6, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
     0, 1, 9, 1, 2, 6, 1, 6, 9, 2, 3, 6, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
-    // two, on the segments 3 and 0: center 0 is cut off
+    // two crossings, on the segments 3 and 0: center 0 is cut off
     0, 1, 11, 11, 1, 2, 11, 2, 10, 6, 9, 10, 6, 10, 2, 6, 2, 3, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
-    // two, on opposite segments 0 and 2
+    // two crossings, on the opposite segments 0 and 2
     0, 1, 8, 0, 8, 9, 1, 2, 7, 1, 7, 8, 2, 3, 6, 2, 6, 7, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
-    // three, not on segment 2: the centers 0 and 1 are cut off
+    // three crossings, none on segment 2: the centers 0 and 1 are cut off
     0, 1, 11, 2, 3, 4, 6, 9, 10, 6, 10, 5, 10, 11, 1, 10, 1, 2, 10, 2, 4, 10, 4, 5, 0, 0, 0, 0, 0,
         0,
-    // four: the centers 0 and 2 are cut off
+    // four crossings: the centers 0 and 2 are cut off
     0, 1, 11, 5, 6, 7, 11, 1, 2, 11, 2, 10, 5, 7, 8, 5, 8, 4, 2, 3, 4, 2, 4, 8, 2, 8, 10, 8, 9, 10);
 
 float volumeCellDepth(ivec2 layers, ivec2 texel)
@@ -77,7 +78,7 @@ float volumeSide(ivec2 layers, VolumeSegment s, float cut, bool second)
     float here = volumeCellDepth(layers, texel),
         there = volumeCellDepth(layers, second ? s.first : s.first + step);
     if (here >= there || here <= 0.0) return here;
-    // inside the map, as depth is 0 at the border
+    // the next texel is inside the map, as depth is 0 at the border
     ivec2 next = second ? texel + step : texel - step;
     float beyond = volumeCellDepth(layers, next);
     if (beyond <= 0.0 || volumeCut(layers, VolumeSegment(second ? texel : next, s.along)) >= 0.0)
@@ -166,7 +167,7 @@ bool volumeCellHas(ivec2 layers, vec2 at, float depth, bool parallel)
         float area = ab.x * ac.y - ab.y * ac.x;
         vec2 part = vec2(way.x * ac.y - way.y * ac.x, ab.x * way.y - ab.y * way.x) /
             max(area, 1e-9);
-        // a wall, or outside the triangle
+        // the triangle is a wall, or the point is outside the triangle
         if (area <= 1e-9 || part.x < 0.0 || part.y < 0.0 || part.x + part.y > 1.0) continue;
         if (parallel && min(a.z, min(b.z, c.z)) <= 0.0) return false;
         return depth < a.z + (b.z - a.z) * part.x + (c.z - a.z) * part.y;

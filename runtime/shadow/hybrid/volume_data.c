@@ -48,7 +48,8 @@ static GLsizei put_quads(GLuint *indices, GLuint size)
     return count;
 }
 
-/* Indices for a texture with 2 x 2 texels per quad, from its lower left corner around. */
+/* Writes the indices for a texture with 2 x 2 texels per quad, around from the lower left
+ * corner. */
 static GLsizei put_corners(GLuint *indices, GLuint size)
 {
     static const GLuint right[QUAD_CORNERS] = {0, 1, 1, 0}, up[QUAD_CORNERS] = {0, 0, 1, 1};

@@ -6,8 +6,9 @@ struct Command { // draw command: vertices, instances, first vertex and instance
     uint count, instances, first, base;
 };
 layout(std430, binding = 0) writeonly buffer Cells { uint listed_cells[]; };
-layout(std430, binding = 1) buffer Commands { Command commands[]; }; // two per view
-uniform vec4 volume_listed; // the map's two layers, index among hybrid views, 1: parallel light
+layout(std430, binding = 1) buffer Commands { Command commands[]; }; // two draw commands per view
+// xyz: the map's two layers, its index among hybrid views; w 1: parallel light
+uniform vec4 volume_listed;
 
 void main()
 {

@@ -5,7 +5,7 @@
 #include "runtime/shadow/shadow.h"
 #include <stdio.h>
 
-enum { COMPONENT_LIGHTS = 8 /* bits per component of the mask */ };
+enum { COMPONENT_LIGHTS = 8 /* number of lights per component of the mask, one bit each */ };
 
 static bool crossed(const Scene *scene)
 {

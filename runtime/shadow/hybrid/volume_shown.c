@@ -9,7 +9,7 @@
 
 /* Views of the picture with volumes. */
 static const FrameLook views[] = {
-    /* name                   scene              volume */
+    /* row of the view `volume` of the scene */
     {"volume", FRAME_LOOK_faces, FRAME_LOOK_faces},
     {"volumeWireframe", FRAME_LOOK_faces, FRAME_LOOK_lines},
     {"wireframes", FRAME_LOOK_lines, FRAME_LOOK_lines},

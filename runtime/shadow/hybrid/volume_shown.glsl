@@ -1,11 +1,11 @@
 // Debug view of a shadow volume: front faces orange, back faces blue, lighter the more they face
 // the eye; or lines. Infinitely distant parts are omitted.
 layout(std140) uniform Look {
-    vec4 look_ray; // set by view_space.h
+    vec4 look_ray; // uniforms of view_space.h
     vec4 look_view;
 };
-in float volume_away; // 1: no corner of the triangle has a depth in the map
-layout(location = 0) out vec4 look_light; // like tools_light: covered share of the light
+in float volume_away; // 1: the map has no depth at any corner of the triangle
+layout(location = 0) out vec4 look_light; // covered share of the light, like tools_light
 layout(location = 1) out vec4 look_shown;
 
 // Returns the cosine between the normal and the direction to the eye. Depth is linear over the

@@ -10,8 +10,9 @@ uniform sampler2DArray volume_depths;
 #endif
 layout(std140) uniform Volume {
     vec4 volume_x, volume_y, volume_z, volume_w; // columns of the matrix from the map to clip space
-    vec4 volume_map;                             // layer, size, 1: parallel light, 1: stretched
-    // parallel light: its direction; else x: min depth
+    // x: layer; y: size; z 1: parallel light; w 1: stretched
+    vec4 volume_map;
+    // direction of a parallel light; for other lights x: min depth
     vec4 volume_far;
 #ifdef CELLS
     // layer of crossings; index among hybrid views; 1: draws crossed cells, 0: the rest
@@ -24,9 +25,9 @@ layout(std430, binding = 0) readonly buffer Cells { uint listed_cells[]; };
 #if defined DEPTHS || defined CORNERS
 layout(location = 0) in float volume_depth;
 #endif
-invariant gl_Position; // caps and sheets share vertices
+invariant gl_Position; // caps and sheets must compute equal positions for shared vertices
 #ifdef VIEWED
-out float volume_away; // 1: the map has no depth there (volume_shown.glsl)
+out float volume_away; // 1: the map has no depth at the vertex (volume_shown.glsl)
 #endif
 
 #ifndef CELLS
@@ -64,7 +65,7 @@ ivec2 volumeBorder(int k)
 vec3 volumeVertex()
 {
     int row = int(volume_map.y) - 1, most = 3 * VOLUME_MAX;
-    bool cut = true; // crossings are possible
+    bool cut = true; // the quad may have crossings
 #ifdef LISTED
     cut = volume_cells.z > 0.0;
     most = cut ? most : 6;

@@ -5,7 +5,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(std430, binding = 0) writeonly buffer Depths { float written_depths[]; };
 layout(std430, binding = 1) writeonly buffer Indices { uint written_indices[]; };
 uniform sampler2DArray volume_depths;
-uniform float volume_layer, volume_number; // layer of the map; its index among hybrid views
+uniform float volume_layer, volume_number; // layer of the map; index of the map among hybrid views
 
 float depthAt(ivec2 texel)
 {

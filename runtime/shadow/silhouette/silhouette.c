@@ -17,7 +17,7 @@ enum {
     SQUARE = 8,
     MAX_GROUPS = 65535
 };
-enum { MAX_EDGES = MAX_GROUPS * GROUP /* limit of one dispatch */ };
+enum { MAX_EDGES = MAX_GROUPS * GROUP /* max edges of one dispatch */ };
 
 int silhouette_layer(const Renderer *renderer, int view)
 {

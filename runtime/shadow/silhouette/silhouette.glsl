@@ -43,21 +43,21 @@ bool silhouetteCovers(bvec2 low, bvec2 high, vec4 cut, vec2 point)
     if (right) cut = vec4(1.0 - cut.xy, cut.wz);
     if (up) cut = vec4(cut.yx, 1.0 - cut.zw);
     if (count != 2) return silhouetteCuts(cut.xz, point) == alone;
-    if (cut.x + cut.z > cut.y + cut.w) // equals cut.x + cut.z + 1 - cut.y + 1 - cut.w > 2
+    if (cut.x + cut.z > cut.y + cut.w) // equivalent to cut.x + cut.z + 1 - cut.y + 1 - cut.w > 2
         return !silhouetteCuts(vec2(1.0 - cut.x, cut.w), vec2(1.0 - point.x, point.y)) &&
                !silhouetteCuts(vec2(cut.y, 1.0 - cut.z), vec2(point.x, 1.0 - point.y));
     return silhouetteCuts(cut.xz, point) || silhouetteCuts(1.0 - cut.yw, 1.0 - point);
 }
 
-#ifdef SHADOW_SILHOUETTES // follows shadow.glsl
+#ifdef SHADOW_SILHOUETTES // the code below follows shadow.glsl
 // bias perpendicular to the plane, in texels
 const float SILHOUETTE_MIN = 1.0 / 16.0, SILHOUETTE_MAX = 1.0 / 4.0;
 const float SILHOUETTE_TILT = 0.005, SILHOUETTE_STEEPEST = 4096.0;
 
 // A point in a view: its position there, and the change of depth per texel on its plane.
 struct SilhouettePlace {
-    vec2 at;     // position in texels
-    float depth; // depth; a greater one is nearer to the light
+    vec2 at;     // position in the map, in texels
+    float depth; // depth of the point; a greater depth is nearer to the light
     vec2 slope;
     float texel; // depth difference that is as long as a texel is wide
 };
@@ -89,12 +89,12 @@ vec4 silhouetteFree(SilhouettePlace place, vec2 part, vec4 depths, float pixel)
 {
     vec4 x = vec4(0.0, 1.0, 1.0, 0.0) - part.x, y = vec4(1.0, 1.0, 0.0, 0.0) - part.y;
     float steep = length(place.slope) / place.texel, square = 1.0 + steep * steep;
-    // along the light 1, clamped to both bounds
+    // bias that is 1 along the light, clamped to both bounds
     float lift = clamp(inversesqrt(square), SILHOUETTE_MIN, SILHOUETTE_MAX) + pixel / 64.0;
     vec4 bias = lift * sqrt(square) + min(SILHOUETTE_TILT * square, max(steep, 0.25)) *
         sqrt(x * x + y * y);
     vec4 off = depths - place.depth - place.slope.x * x - place.slope.y * y;
-    // 0: empty texel
+    // depth 0 marks an empty texel
     return max(vec4(lessThanEqual(off, bias * place.texel)), vec4(equal(depths, vec4(0.0))));
 }
 
@@ -103,7 +103,7 @@ bool silhouetteReaches(int view, vec3 point, vec3 normal, float pixel)
 {
     SilhouettePlace place = silhouettePlace(view, point, normal);
     vec2 low = clamp(floor(place.at), vec2(0.0), vec2(SHADOW_SIZE - 2)), part = place.at - low;
-    // outside the map
+    // the point is outside the map
     if (any(lessThan(part, vec2(0.0))) || any(greaterThan(part, vec2(1.0)))) return true;
     vec3 middle = vec3((low + 1.0) / float(SHADOW_SIZE), view);
     vec4 depths = textureGather(shadow_maps, middle),
@@ -112,7 +112,7 @@ bool silhouetteReaches(int view, vec3 point, vec3 normal, float pixel)
     middle.z = shadowRow(view, VIEW_HOW).w - 1.0;
     vec4 rows = textureGather(silhouette_crossings, middle, 0),
         columns = textureGather(silhouette_crossings, middle, 1);
-    // no crossing from each center to the next around the cell
+    // true without a crossing from a center to the next around the cell
     vec4 joined = vec4(equal(vec4(rows.x, columns.z, rows.w, columns.w), vec4(0.0)));
     for (int i = 0; i < 3; i++)
         free = max(free, max(joined * free.yzwx, joined.wxyz * free.wxyz));

@@ -15,10 +15,11 @@ typedef struct {
 } SilhouetteMesh;
 
 typedef struct {
-    GLuint crossings;       /* array of two bytes per texel, a layer for each view with crossings */
-    GLuint extents;         /* buffer: extents of a view's crossings while they are found */
-    GLuint edges, places;   /* buffers: edges of all meshes; numbers of the objects in a view */
-    SilhouetteMesh *meshes; /* by mesh of the GPU scene */
+    GLuint crossings; /* array of two bytes per texel, a layer for each view with crossings */
+    GLuint extents;   /* buffer for the extents of a view's crossings while they are found */
+    /* buffers of the edges of all meshes, and of the numbers of the objects in a view */
+    GLuint edges, places;
+    SilhouetteMesh *meshes; /* ranges of edges, indexed by mesh of the GPU scene */
     int edge_count;
     Material find, pack;
 } Silhouettes;

@@ -26,21 +26,21 @@ layout(std140, binding = 0) readonly buffer Instances {
 layout(std430, binding = 1) readonly buffer Places {
     uint places[];
 };
-// of all meshes: two ends, then the third corners of both faces
+// edges of all meshes: two ends, then the third corners of both faces
 layout(std430, binding = 2) readonly buffer Edges {
     float edge_components[];
 };
-// per texel: extents of the segment to the right, and upwards
+// extents per texel: of the segment to the right, and of that upwards
 layout(std430, binding = 3) buffer Extents {
     uint extents[];
 };
 uniform sampler2DArray silhouette_maps;
-// three rows from world space; near, edge of the map in texels, its number
+// three rows from world space; row 3: near, edge of the map in texels, number of the map
 uniform mat4 silhouette_view;
-// of a mesh: its first edge, their number; offset of its objects' numbers
+// range of a mesh: its first edge, number of edges; offset of its objects' numbers
 uniform vec3 silhouette_run;
 
-const float NEAR_CENTRE = 1.0 / 128.0; // distance to a texel's center in texels
+const float NEAR_CENTRE = 1.0 / 128.0; // distance to a texel's center, in texels
 const float FLAT = 2e-6; // tolerance for faces seen edge-on
 
 float near, size;
@@ -79,7 +79,7 @@ float depthAt(ivec2 texel)
 // An edge in the map's coordinates.
 struct Edge {
     vec3 ends[2];
-    vec2 faces; // 1 if a face is on the side 1; on the side -1
+    vec2 faces; // x: 1 if a face is on the side 1; y: 1 if a face is on the side -1
 };
 
 // Stores a crossing. `along` is 0 on a row of texels, 1 on a column; the segment begins at `texel`,

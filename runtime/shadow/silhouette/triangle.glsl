@@ -1,7 +1,7 @@
 // The plane of the triangle that a pixel shows, for silhouette shadows; triangle_slopes.glsl writes
 // it.
 
-// of the lit pixel, towards the eye; 0: unknown, the shading normal is used
+// normal of the lit pixel's triangle, towards the eye; 0: unknown, the shading normal is used
 vec3 triangle_normal = vec3(0.0);
 
 // Reconstructs the triangle's normal from depth slopes. `point` is in eye space; a pixel's ray has

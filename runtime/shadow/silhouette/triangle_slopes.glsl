@@ -5,7 +5,7 @@ layout(location = SEEN_TARGET) out uint triangle_slopes;
 
 void main()
 {
-    // before any discard
+    // computes derivatives before any discard
     vec2 slope = vec2(dFdx(gl_FragCoord.z), dFdy(gl_FragCoord.z)) / gl_FragCoord.z;
     surfaceMain();
     // sets the lowest bit, since 0 marks pixels where nothing is drawn
