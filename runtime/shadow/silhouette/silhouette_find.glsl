@@ -5,7 +5,7 @@
 //
 // A crossing counts on a segment with one center nearer to the light than the other, if its edge is
 // no deeper than the surface at the farther center, and its faces are on the nearer center's side.
-// Of several crossings the one farthest from the nearer center is kept: everything up to it is
+// The crossing that is farthest from the nearer center is kept: everything up to it is
 // covered. It is stored as its distance from that center.
 //
 //     depths .9 and .5 at the columns 3 and 4 of a row, an edge at column 3.25 of depth .8: .25;
