@@ -158,7 +158,8 @@ static void examples_derive_unconditionally(void **state)
     workers_run(work, &run);
     documents_free(&run.documents);
     print_message("%d programs, %d implicit derivatives\n", run.programs, run.derivatives);
-    assert_true(run.programs > 1000 && run.derivatives > 1000);
+    /* A run that hardly tests anything fails; the smallest of SHARES shares has 900 of each. */
+    assert_true(run.programs > 3000 / SHARES && run.derivatives > 3000 / SHARES);
     assert_int_equal(run.faults, 0);
 }
 
