@@ -29,7 +29,7 @@ compile() { # compile PROGRAM FLAGS...
     shift
     ${CC:-cc} "$source/examples/embed.c" "$@" -o "$work/$program"
 }
-runs() { "$work/$1" | grep -q '^// uniform tint: 3 lanes'; }
+runs() { "$work/$1" | grep -q '^// uniform tint: 3 components'; }
 uses_library() { ldd "$work/$1" | grep -q "libmatc.so.0.2"; }
 # shellcheck disable=SC2046
 check "compiles with the shared library" compile shared $(pkg-config --cflags --libs matc) "-Wl,-rpath,$libdir"

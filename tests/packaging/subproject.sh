@@ -19,7 +19,7 @@ matc_add_materials(TARGET n SOURCES \${CMAKE_CURRENT_BINARY_DIR}/made.yaml LAYOU
 get_target_property(manifest n MATC_MANIFEST)
 add_custom_target(check ALL DEPENDS n COMMAND \${CMAKE_COMMAND} -E copy \${manifest} copy.json)
 # Names that a project is likely to have
-foreach(name embed docs tests golden reference dictionary)
+foreach(name embed docs tests golden reference dictionary site)
   add_custom_target(\${name})
 endforeach()
 EOF
@@ -29,7 +29,7 @@ cp examples/checker.yaml "$work/rock.yaml"
     cmake --build "$work/build"
     "$work/build/embedded" >"$work/printed"
 } >"$work/said" 2>&1 || { tail -20 "$work/said" && exit 1; }
-grep -q '^// uniform tint: 3 lanes' "$work/printed"
+grep -q '^// uniform tint: 3 components' "$work/printed"
 test -f "$work/build/materials/rock.frag"
 test -x "$work/build/matc/another" -a ! -e "$work/build/matc/matc" # MATC_PROGRAM_NAME
 test -f "$work/build/materials/manifest.json"

@@ -319,8 +319,8 @@ static void light_is_their_sum(void **state)
             dimmed += own[i] > 0 && o < .9;
             sum += (double)sent[i];
         }
-        print_message("light is %.2g off its sum at most; %g lanes dimmed, %.3g indirect\n", most,
-                      dimmed, sum);
+        print_message("light is %.2g off its sum at most; %g components dimmed, %.3g indirect\n",
+                      most, dimmed, sum);
         assert_true(most < 1e-5 && dimmed > 100 && sum > 1);
         float *const drawn[] = {all, open, sent, around, own, lamp};
         for (size_t i = 0; i < sizeof drawn / sizeof *drawn; i++)

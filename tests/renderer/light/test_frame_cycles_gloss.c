@@ -168,7 +168,7 @@ static bool agrees(const Judged *judged, int ball, bool reported)
                  brighter = judged->brightest[0] / judged->brightest[1] - 1;
     if (reported)
         print_message("%5.2f %% more light, the brightest %5.2f %%; off by %.2f, 99 %% by %.2f of "
-                      "what may be; %d lanes\n",
+                      "what may be; %d components\n",
                       100 * more, 100 * brighter, quantile(judged, .5), quantile(judged, .99),
                       judged->count);
     return judged->count > 3000 && quantile(judged, .99) < 1 && fabs(more) < all[ball % 4] &&

@@ -266,7 +266,7 @@ static void layouts(void **state)
         options.lights = "bounded";
         float *drawn = frame_floats(h.gl, h.scene, &options);
         const double most = most_apart(all, drawn, &differ);
-        print_message("%-8s %4.2f of half a step, %d lanes differ\n",
+        print_message("%-8s %4.2f of half a step, %d components differ\n",
                       cases[i].layout ? cases[i].layout : "default", most, differ);
         assert_true(most <= 1 && differ > 20); /* light as halves rounds most of it off */
         free(all);
@@ -327,7 +327,7 @@ static void sides_of_boxes(void **state)
     options.lights = "bounded";
     float *drawn = frame_floats(h.gl, h.scene, &options);
     const double most = most_apart(all, drawn, &differ);
-    print_message("boxes: %4.2f of half a step, %d lanes differ\n", most, differ);
+    print_message("boxes: %4.2f of half a step, %d components differ\n", most, differ);
     assert_true(most <= 1 && differ > 14500); /* 13292 with two groups in a block */
     free(all);
     free(drawn);

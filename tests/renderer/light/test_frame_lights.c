@@ -294,7 +294,7 @@ static void far_lights_are_within_the_bound(void **state)
         drawn.lights = "bounded";
         float *bounded = frame_floats(gl, scene, &drawn);
         const double most = most_off(scene, linear, (float *const[]){all, bounded}, &apart);
-        print_message("%-30s %4.2f of half a step, %d lanes differ\n", c->name, most, apart);
+        print_message("%-30s %4.2f of half a step, %d components differ\n", c->name, most, apart);
         faults += !(most <= 1) || apart == 0; /* where all were summed nothing would be proved */
         free(all);
         free(bounded);

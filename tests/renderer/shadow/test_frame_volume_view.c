@@ -127,7 +127,8 @@ static void faces_of(const char *camera, const char *volume)
             wrong += fabs((double)shown[4 * i + component] -
                           (facing < 0 ? 0 : encoded(share * colors[component]))) > 1.5 / 255;
     }
-    print_message("%-8s %d covered, %d empty, %d lanes wrong\n", volume, covered, empty, wrong);
+    print_message("%-8s %d covered, %d empty, %d components wrong\n", volume, covered, empty,
+                  wrong);
     assert_true(covered > 400 && empty > 3000);
     assert_int_equal(wrong, 0);
     free(shown);
@@ -252,7 +253,7 @@ static void changes_and_tiles(void **state)
         int other = 0;
         for (int k = 0; k < 4 * PIXELS; k++)
             other += fabsf(parts[k] - anew[k]) > 1.5f / 255;
-        print_message("%s: %d lanes are others in tiles\n", views[i], other);
+        print_message("%s: %d components are others in tiles\n", views[i], other);
         /* a line that is cut may step elsewhere */
         assert_true(other <= (strstr(views[i], "ireframe") ? 16 : 0));
         free(parts);

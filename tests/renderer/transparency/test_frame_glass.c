@@ -380,7 +380,7 @@ static void agree(int picture, int way, const Scene *scene, const float *first)
         apart += !(fabsf(first[component] - rgba[component]) <=
                    2e-6f * fmaxf(fabsf(first[component]), 1));
     if (apart)
-        fail_msg("%s, %s: %zu lanes", pictures[picture].name, ways[way].name, apart);
+        fail_msg("%s, %s: %zu components", pictures[picture].name, ways[way].name, apart);
     free(rgba);
 }
 
