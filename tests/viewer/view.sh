@@ -51,7 +51,7 @@ check "says nothing" test ! -s "$work/stderr"
 
 check "a picture" status 0 $draw $example -o "$work/plain.png"
 check "--layout=auto is wrong usage" status 2 $draw --layout=auto $example -o "$work/none.png"
-check "which says whose it is" says '^matview: --layout=auto is made of a set of materials, by matc -d'
+check "which says whose it is" says '^matview: --layout=auto needs a set of materials (matc -d)'
 check "of standard input" status 0 sh -c "cd '$work' && $draw -" <$example
 check "a picture has a name that a shell takes" test -s "$work/stdin.png"
 for option in --shape=cloth --shape=ground --camera=front --camera=left --camera=top --camera=low --camera=close --camera=3,-4,1 \
@@ -111,10 +111,10 @@ check "says how far it is" says '8 of 9 methods drawn'
 check "of pictures that no file can hold side by side" status 1 timeout 20 "$matview" --compare=shadows --size=16384 "$work/scene.yaml" -o "$work/none.png"
 check "is told before one is drawn" says 'larger than 16384'
 check "of a material" status 2 $draw --compare=shadows $example -o "$work/none.png"
-check "says so" says 'are of scenes'
+check "says so" says 'only apply to scenes'
 for option in --shadows=map --indirect=none --frame=0 --stats --emit=frame --bits=16; do
     check "--compare with $option" status 2 "$matview" --compare=shadows $option "$work/scene.yaml" -o "$work/none.png"
-    check "says so" says 'it takes none of'
+    check "says so" says 'it does not accept'
 done
 
 # -- the manual page has the options that --help has, and the words of each
@@ -267,7 +267,7 @@ check "one number for a colour" status 0 $draw --param=tint=0.3 "$work/before.ya
 check "of a param that is not there" status 1 $draw --param=hue=1 "$work/before.yaml" -o "$work/none.png"
 check "names those that are" says "no param 'hue'; it has tint, gloss"
 check "a colour for a number" status 1 $draw --param=gloss=#2040c0 "$work/before.yaml" -o "$work/none.png"
-check "says how many it takes" says "'gloss' expects 1 numbers, not 3"
+check "says how many it takes" says "'gloss' takes 1 numbers, not 3"
 check "a map" status 2 $draw --param='gloss={ map: Wood }' "$work/before.yaml" -o "$work/none.png"
 check "is no value" says 'no value of a param'
 check "nothing was drawn" test ! -e "$work/none.png"
