@@ -255,8 +255,8 @@ static void views_need_less(void **state)
     }
     assert_null(renderer_open(gl, &(RendererOptions){.compile = &options, .view = "deep"}));
     assert_string_equal(gl->error,
-                        "unknown view 'deep'; expected shown, wireframe, volume, light, depth, "
-                        "shadow, positions, voxels, open, indirect, bent, visibility, or a slot");
+                        "unknown view 'deep'; expected final, wireframe, volume, light, depth, "
+                        "shadow, positions, voxels, ao, indirect, bent, visibility, or a slot");
     gl_close(gl);
     frame_forget(scene, document);
 }
