@@ -357,7 +357,7 @@ static void ways_and_wants(void **state)
     for (int i = 0; i < 3; i++) {
         open_rig(&one, keys[i], "light");
         char *graph = frame_graph(one.renderer);
-        assert_true((strstr(graph, " rays history not run: nothing to do\n") == NULL) == (i == 1));
+        assert_true((strstr(graph, " rays temporal not run: nothing to do\n") == NULL) == (i == 1));
         free(graph);
         memcpy(some, frame_running_draw(&one), sizeof some);
         Renderer *fragment = renderer_open(
