@@ -121,7 +121,7 @@ static int refuse(const char *word)
 {
     Arena arena = {0};
     if (word)
-        fprintf(stderr, "matbench: there is no command '%s'%s\n", word,
+        fprintf(stderr, "matbench: unknown command '%s'%s\n", word,
                 suggest(&arena, word, command_name, NULL, COMMANDS));
     put_usage(stderr);
     arena_free(&arena);

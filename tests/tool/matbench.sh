@@ -31,7 +31,7 @@ check "the same" test "$(grep -c -- ' -  *-$' "$work/stdout")" -gt 1
 
 for wrong in "rendr: render" "render --untimd: --untimed" "render light: lights" "render --gl=elg: egl"; do
     check "matbench ${wrong%:*}" status 2 "$matbench" ${wrong%:*}
-    check "a guess" says "there is no .*; did you mean '${wrong#*: }'"
+    check "a guess" says "unknown .*; did you mean '${wrong#*: }'"
 done
 for wrong in "render --size=x" "render --size" "shadows --triangles=9" "cells --gl=egl" "cells x" "batch --count 0"; do
     check "matbench $wrong" status 2 "$matbench" $wrong
