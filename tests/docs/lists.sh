@@ -59,8 +59,8 @@ forms() {
 quoted() { echo "$list" | sed -E "s/ \(default\)/@/; s/[a-z0-9]+/$1&$1/g; s/@/$2/"; }
 stale=0
 echo "| targets | $(quoted '`' '') |" | holds README.md '| targets |' '|' || stale=1
-echo "    const char *target; /* $(quoted '"' ' (default)') */" |
-    holds compiler/matc.h '    const char *target; ' '    /*' || stale=1
+echo "    /* target language: $(quoted '"' ' (default)') */" |
+    holds compiler/matc.h '    /* target language: ' '    const char *target;' || stale=1
 { printf '%s\n' '.It Fl \-target Ns = Ns Ar target'; in_man; } | holds docs/reference/matc.1 '.It Fl \-target ' '.It Fl' || stale=1
 
 forms | holds docs/reference/from-other-tools.md '<!-- matc --list=foreign: forms -->' '<!-- end of forms -->' || stale=1
