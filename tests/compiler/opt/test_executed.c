@@ -35,6 +35,7 @@ static void count_in(const char *fragment, char *text)
                       drawn[] = "layout(location = 0) out vec4 drawn;\nint executions = 0;\n",
                       counted[] = "executions++;\n",
                       end_of_main[] = "    drawn = vec4(float(executions));\n}\n";
+    bool counts = false; /* in the head of a counted function, which may take several lines */
     text[0] = 0;
     for (const char *line = fragment, *end; *line; line = end) {
         end = strchr(line, '\n') + 1;
@@ -47,8 +48,11 @@ static void count_in(const char *fragment, char *text)
         }
         add(text, line, (size_t)(end - line));
         for (size_t i = 0; i < sizeof functions / sizeof *functions; i++)
-            if (begins(line, functions[i]))
-                add(text, counted, strlen(counted));
+            counts |= begins(line, functions[i]);
+        if (counts && end[-2] == '{') {
+            add(text, counted, strlen(counted));
+            counts = false;
+        }
     }
     char *brace = strrchr(text, '}');
     *brace = 0;

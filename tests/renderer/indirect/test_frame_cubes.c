@@ -73,10 +73,10 @@ static void levels_there_are(void **state)
     } cases[] = {
         {"voxels5", NULL},
         {"voxels6", "unknown view 'voxels6': the last of 32 voxels is voxels5"},
-        {"voxels12", "unknown view 'voxels12'; expected shown, wireframe, volume, light, depth, "
-                     "shadow, positions, voxels, open, indirect, bent, visibility, or a slot"},
-        {"voxelsx", "unknown view 'voxelsx'; expected shown, wireframe, volume, light, depth, "
-                    "shadow, positions, voxels, open, indirect, bent, visibility, or a slot"}};
+        {"voxels12", "unknown view 'voxels12'; expected final, wireframe, volume, light, depth, "
+                     "shadow, positions, voxels, ao, indirect, bent, visibility, or a slot"},
+        {"voxelsx", "unknown view 'voxelsx'; expected final, wireframe, volume, light, depth, "
+                    "shadow, positions, voxels, ao, indirect, bent, visibility, or a slot"}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         Renderer *renderer =
             renderer_open(d.gl, &(RendererOptions){.compile = &options, .view = cases[i].view});

@@ -215,7 +215,7 @@ static void denoiser_weighs_by_surface_and_noise(void **state)
                                "    return sum; }\n";
     static float values[SIDE * SIDE][4];
     char *weights =
-        cut(render_text_pass_denoise, "struct SmoothPlace", "// Where the picture begins");
+        cut(render_text_pass_denoise, "struct SmoothPlace", "// Returns the bounds of the picture");
     char *filter =
         cut(render_text_pass_denoise, "const float SMOOTH_NOISE", "#else\nvec4 passPixel");
     char *entry = strstr(filter, "vec4 passPixel");
@@ -253,7 +253,7 @@ static void cascades_give_way_in_a_band(void **state)
 {
     (void)state;
     static float values[SIDE * SIDE][4];
-    char *function = cut(render_text_shadow, "const float SHADOW_BAND", "// By cascades");
+    char *function = cut(render_text_shadow, "const float SHADOW_BAND", "// Returns the share by cascaded");
     run((const char *const[]){cascade_head, function, cascade_body, NULL}, values);
     free(function);
     for (int x = 0; x < SIDE; x++)
