@@ -253,7 +253,8 @@ static void cascades_give_way_in_a_band(void **state)
 {
     (void)state;
     static float values[SIDE * SIDE][4];
-    char *function = cut(render_text_shadow, "const float SHADOW_BAND", "// Returns the share by cascaded");
+    char *function =
+        cut(render_text_shadow, "const float SHADOW_BAND", "// Returns the share by cascaded");
     run((const char *const[]){cascade_head, function, cascade_body, NULL}, values);
     free(function);
     for (int x = 0; x < SIDE; x++)
