@@ -17,12 +17,12 @@ void *arena_alloc(Arena *arena, size_t size);
 void *arena_zero(Arena *arena, size_t size);
 /* Copies `size` bytes and appends a zero byte. */
 char *arena_string(Arena *arena, const char *text, size_t size);
-/* Copies `count` elements of `size` bytes into a new array with a capacity of `room` elements. */
+/* Copies `count` elements of `size` bytes into a new array of `capacity` elements. */
 void *arena_copy(Arena *arena, const void *array, size_t count, size_t capacity, size_t size);
 /* Grows an allocation from `size` to `wanted` bytes and returns its address. The newest
  * allocation grows in place; any other is moved, and its first `kept` bytes are copied. */
 void *arena_extend(Arena *arena, void *old, size_t size, size_t kept, size_t wanted);
-/* Ensures that the array has capacity for one element more than `count`: doubles *room when the
+/* Ensures that the array has capacity for one element more than `count`: doubles *capacity when the
  * array is full and moves the elements of `size` bytes. */
 void *arena_grow(Arena *arena, void *array, size_t count, size_t *capacity, size_t size);
 /* Ensures that the array has an element `index`; new elements are zero. */
@@ -42,7 +42,7 @@ void arena_keep_pages(void);
 
 #define ARENA_NEW(arena, Type)          ((Type *)arena_zero(arena, sizeof(Type)))
 #define ARENA_ARRAY(arena, Type, count) ((Type *)arena_zero(arena, sizeof(Type) * (size_t)(count)))
-/* Appends `value` to a list {Type *at; size_t count, room}. */
+/* Appends `value` to a list {Type *at; size_t count, capacity}. */
 #define ARENA_PUSH(arena, array, count, capacity, value)                                           \
     ((void)((count) < (capacity) ||                                                                \
             ((array) = arena_grow(arena, array, count, &(capacity), sizeof *(array)))),            \

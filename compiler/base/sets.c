@@ -28,7 +28,7 @@ static uint32_t string_hash(const char *string)
 }
 static uint32_t key_hash(Key key) { return (uint32_t)key.low; }
 
-/* Returns a capacity greater than `room`. */
+/* Returns a capacity greater than `capacity`. */
 static int more_capacity(int capacity) { return capacity ? 2 * capacity : FIRST_CAPACITY; }
 
 int string_set_find(const StringSet *set, const char *string)

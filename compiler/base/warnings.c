@@ -46,11 +46,19 @@ static bool has_name(const Setting *setting, const char *name)
     return true;
 }
 
-/* Returns true if the setting names the warning, by its present name or by that of version 0.1. */
+/* Names of version 0.1. */
+static const struct {
+    const char *old;
+    DiagKind kind;
+} aliases[] = {{"parted", DIAG_dropped}};
+
+/* Returns true if the setting names the warning, by its present name or by an alias. */
 static bool names_warning(const Setting *setting, DiagKind kind)
 {
-    return has_name(setting, diag_table[kind].name) ||
-           (kind == DIAG_dropped && has_name(setting, "parted"));
+    bool named = has_name(setting, diag_table[kind].name);
+    for (size_t i = 0; i < sizeof aliases / sizeof *aliases; i++)
+        named |= aliases[i].kind == kind && has_name(setting, aliases[i].old);
+    return named;
 }
 
 Severity warnings_severity(const char *settings, DiagKind kind)

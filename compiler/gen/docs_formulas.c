@@ -66,7 +66,7 @@ void docs_functions(Text *out)
              "\n## Functions of formulas\n\nPictures show a sphere: `a` goes from -2 at the left "
              "to 2 at the "
              "right, `b` from -2 at the bottom to 2 at the top, other arguments "
-             "are numbers; black is -2, grey 0, white 2, and of vectors each lane is a colour.\n");
+             "are numbers; black is -2, gray 0, white 2; components of vectors are colors.\n");
     for (int i = 0; i < TERM_COUNT; i++) {
         if (!term_table[i].callable)
             continue;

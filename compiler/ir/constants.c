@@ -66,8 +66,8 @@ static Ref *known_values(Ir *ir, uint8_t *from_buffer)
 }
 
 /* Replaces a node that depends on constants alone by its value: as a new member of the uniform
- * block, or, if `room` is false, as a literal. */
-static void become_constant(Ir *ir, Ref ref, Ref known, bool capacity)
+ * block, or, if `as_member` is false, as a literal. */
+static void become_constant(Ir *ir, Ref ref, Ref known, bool as_member)
 {
     IrNode *node = &ir->nodes[ref];
     uint32_t origin = node->origin;
@@ -75,7 +75,7 @@ static void become_constant(Ir *ir, Ref ref, Ref known, bool capacity)
     memcpy(numbers, ir_numbers(ir, known), sizeof(double) * (size_t)ir_components(ir, known));
     *node = *ir_at(ir, known);
     node->origin = origin;
-    if (!capacity)
+    if (!as_member)
         return;
     node->op = OP_member;
     node->payload = add_constant(ir, (Type)node->type, numbers, NULL, origin);

@@ -57,17 +57,17 @@ static bool in_frame(int channel)
 }
 
 /* Opens an adjacent point: (u, v) moved by `du` and `dv`, with the positions on the surface. A
- * Triplanar's map gets the projection of the point adjacent to the Triplanar's own; `room` has
- * an element for each surrounding Triplanar. */
+ * Triplanar's map gets the projection of the point adjacent to the Triplanar's own; `projections`
+ * has an element for each surrounding Triplanar. */
 static Environment *open_beside(Environment *environment, double du, double dv,
-                                Projection *capacity)
+                                Projection *projections)
 {
     if (environment->outer) {
-        oracle_project(open_beside(environment->outer, du, dv, capacity + 1),
-                       environment->triplanar, environment->axis, capacity);
+        oracle_project(open_beside(environment->outer, du, dv, projections + 1),
+                       environment->triplanar, environment->axis, projections);
     } else {
-        capacity->surface = *environment->surface;
-        double *root = capacity->surface.root;
+        projections->surface = *environment->surface;
+        double *root = projections->surface.root;
         const double *tangents =
             environment->mesh ? environment->mesh->root : environment->surface->root;
         root[channel_id(GROUP_U, 0)] += du;
@@ -76,15 +76,15 @@ static Environment *open_beside(Environment *environment, double du, double dv,
             root[channel_id(GROUP_P, i)] +=
                 du * tangents[channel_id(GROUP_DU, i)] + dv * tangents[channel_id(GROUP_DV, i)];
             root[channel_id(GROUP_X, i)] +=
-                du * capacity->surface.local_u[i] + dv * capacity->surface.local_v[i];
+                du * projections->surface.local_u[i] + dv * projections->surface.local_v[i];
         }
-        capacity->environment =
-            environment_open(environment->oracle, &capacity->surface, environment->depth + 1);
+        projections->environment =
+            environment_open(environment->oracle, &projections->surface, environment->depth + 1);
     }
-    capacity->environment.origin = environment;
-    capacity->environment.centre =
+    projections->environment.origin = environment;
+    projections->environment.centre =
         environment->oracle->derivatives != CHOICE_derivatives_analytic ? environment : NULL;
-    return &capacity->environment;
+    return &projections->environment;
 }
 
 static double height_at(Environment *environment, const Height *height, double du, double dv)

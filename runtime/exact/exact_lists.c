@@ -36,13 +36,13 @@ static void reach_along(const ExactTriangles *triangles, const ExactBox *box, co
 /* Sets the row that maps all triangles to -1 ... 1 along an axis, with a margin. */
 static void fit_row(const ExactTriangles *triangles, const double axis[3], float row[4])
 {
-    const double capacity = 1.001;
+    const double margin = 1.001;
     double range[2] = {INFINITY, -INFINITY};
     for (int i = 0; i < triangles->object_count; i++)
         if (triangles->objects[i].count)
             reach_along(triangles, &triangles->objects[i].box, axis, range);
     const double half =
-        fmax((range[1] - range[0]) / 2 * capacity, fmax(triangles->reach * 1e-6, 1e-30));
+        fmax((range[1] - range[0]) / 2 * margin, fmax(triangles->reach * 1e-6, 1e-30));
     add_row(axis, 1 / half, triangles->count ? -(range[0] + range[1]) / 2 / half : 0, row);
 }
 

@@ -96,11 +96,11 @@ static bool read_blocks(GlContext *gl, GLuint program, GlUniforms *found)
 bool uniforms_read(GlContext *gl, GLuint program, GlUniforms *found)
 {
     memset(found, 0, sizeof *found);
-    bool capacity = read_all(gl, program, found) && read_blocks(gl, program, found);
-    if (capacity && gl_check(gl, "asking for a program's uniforms"))
+    bool allocated = read_all(gl, program, found) && read_blocks(gl, program, found);
+    if (allocated && gl_check(gl, "asking for a program's uniforms"))
         return true;
     uniforms_free(found);
-    return capacity ? false : gl_fail(gl, "out of memory");
+    return allocated ? false : gl_fail(gl, "out of memory");
 }
 
 void uniforms_free(GlUniforms *uniforms)

@@ -67,12 +67,12 @@ void light_far_put(Text *out, const Renderer *renderer)
 {
     if (is_there(renderer))
         text_format(
-            out, "%-8s  %-24s  %d: %lu bytes for blocks of %d x %d\n", "far", "two buffers",
+            out, "%-13s  %-24s  %d: %lu bytes for blocks of %d x %d\n", "far", "two buffers",
             light_far_bytes(renderer),
             (unsigned long)(block_count(renderer) * (numbers_bytes + words_bytes(renderer))),
             LIGHT_FAR_BLOCK, LIGHT_FAR_BLOCK);
     else
-        text_format(out, "%-8s  %-24s  not allocated\n", "far", "two buffers");
+        text_format(out, "%-13s  %-24s  not allocated\n", "far", "two buffers");
 }
 
 /* Makes a buffer with a number of bytes per block. */

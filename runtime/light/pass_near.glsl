@@ -24,8 +24,8 @@ vec3 farRest(Far far)
 }
 
 // Returns the share of the error budget that a light takes if pixels do not sum it themselves;
-// `even` and `gloss` are reflectances over the budget. The lowest bit reports that specular light
-// is expanded; else specular light is omitted.
+// `even` and `specular` are reflectances over the budget. The lowest bit reports that specular
+// light is expanded; else specular light is omitted.
 float farShare(Far far, Group group, vec3 even, vec3 specular)
 {
     if (far.ratio > 0.9 || (group.behind && far.least < 0.0)) return NEVER;

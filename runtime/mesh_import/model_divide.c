@@ -62,19 +62,19 @@ static bool take_vertices(const Shape *shape, uint32_t *place, uint32_t taken, S
             place[own->indices[i]] = taken + (uint32_t)++own->vertex_count;
     own->vertices = malloc((size_t)own->vertex_count * sizeof *own->vertices + 1);
     memcpy(own->names, shape->names, sizeof own->names);
-    bool capacity = own->vertices != NULL;
-    for (int i = 0; capacity && i < SHAPE_EXTRAS; i++)
+    bool allocated = own->vertices != NULL;
+    for (int i = 0; allocated && i < SHAPE_EXTRAS; i++)
         if (shape->extra[i]) {
             own->extra[i] = calloc((size_t)own->vertex_count + 1, sizeof *own->extra[i]);
-            capacity = own->extra[i] != NULL;
+            allocated = own->extra[i] != NULL;
         }
-    for (int i = 0; capacity && i < own->index_count; i++) {
+    for (int i = 0; allocated && i < own->index_count; i++) {
         const uint32_t from = own->indices[i];
         own->indices[i] = place[from] - taken - 1;
         own->vertices[own->indices[i]] = shape->vertices[from];
         shape_copy_extras(own, own->indices[i], shape, from);
     }
-    return capacity;
+    return allocated;
 }
 
 bool model_divide(const Shape *shape, const ModelRun *runs, int run_count, ModelPart **made,

@@ -336,7 +336,7 @@ bool matc_renderer_draw(MatcRenderer *r, unsigned framebuffer, const int rectang
         return gl_fail(gl, "the rectangle to draw to is empty, or has no place in a framebuffer");
     const unsigned picture = r->scene ? matc_renderer_texture(r) : 0;
     if (r->scene && !picture)
-        return gl_fail(gl, "only the view `shown` can be drawn to a framebuffer");
+        return gl_fail(gl, "only the view `final` can be drawn to a framebuffer");
     if (!renderer_frame(r->renderer))
         return false;
     if (!r->framebuffer)

@@ -14,7 +14,7 @@ static const char *view_of(const Renderer *renderer)
     return renderer->options.view ? renderer->options.view : "final";
 }
 
-/* Reads coverage into the last component, and, with `shown`, depth into the first. */
+/* Reads coverage into the last component, and, with `final`, depth into the first. */
 static bool read_depth(Renderer *renderer, bool shown, float *rgba)
 {
     GlContext *gl = renderer->gl;

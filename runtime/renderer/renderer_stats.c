@@ -44,11 +44,11 @@ static void put_passes(Text *out, const Renderer *renderer, const RendererPassTi
     FramePlanRows made;
     frame_request(renderer, &made);
     const FramePlanPass *rows = made.passes;
-    text_format(out, "%-13s  %-22s  %-31s  %s\n", "pass", "reads", "writes",
+    text_format(out, "%-13s  %-30s  %-31s  %s\n", "pass", "reads", "writes",
                 times ? "milliseconds" : "runs when");
     for (int i = 0; i < frame_pass_count(); i++) {
         const char *why = frame_reason(renderer, &made.request, i);
-        text_format(out, "%-13s  %-22s  %-31s  ", rows[i].name,
+        text_format(out, "%-13s  %-30s  %-31s  ", rows[i].name,
                     joined(out->arena, rows[i].reads | rows[i].changes),
                     joined(out->arena, rows[i].fills | rows[i].changes));
         if (why)

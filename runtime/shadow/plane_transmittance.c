@@ -68,7 +68,7 @@ int plane_transmittance_bytes(const Renderer *renderer)
 void plane_transmittance_put(Text *out, const Renderer *renderer)
 {
     if (renderer->shadows->sheets.layers)
-        text_format(out, "%-8s  %-24s  %d: plane transmittance of %d lights\n", "sheets", "RG32UI",
+        text_format(out, "%-13s  %-24s  %d: plane transmittance of %d lights\n", "sheets", "RG32UI",
                     plane_transmittance_bytes(renderer), renderer->shadows->sheets.layer_count);
 }
 

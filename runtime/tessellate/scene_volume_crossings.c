@@ -165,9 +165,9 @@ static double next_to_ask(const Search *s)
 {
     const double width = s->high - s->low, middle = (s->low + s->high) / 2, line = by_line(s);
     const double toward = line < middle ? 1 : -1, way = truncation * width * width;
-    const double capacity = fmax(ldexp(1, -s->asked) - width / 2, 0);
+    const double radius = fmax(ldexp(1, -s->asked) - width / 2, 0);
     const double moved = way < fabs(middle - line) ? line + toward * way : middle;
-    return fabs(moved - middle) <= capacity ? moved : middle - toward * capacity;
+    return fabs(moved - middle) <= radius ? moved : middle - toward * radius;
 }
 
 /* Returns the end of the searches on one edge. */

@@ -163,11 +163,11 @@ void transparency_put_lists(Text *out, const Renderer *renderer)
 {
     const FrameLists *lists = &renderer->transparent->lists;
     if (lists->buffer)
-        text_format(out, "%-8s  %-24s  4, and %d a fragment: %lu bytes for %lu\n", "lists",
+        text_format(out, "%-13s  %-24s  4, and %d a fragment: %lu bytes for %lu\n", "lists",
                     "a buffer", 4 * transparency_stride(&renderer->set),
                     (unsigned long)lists->bytes, (unsigned long)lists->fragments);
     else
-        text_format(out, "%-8s  %-24s  not allocated\n", "lists", "a buffer");
+        text_format(out, "%-13s  %-24s  not allocated\n", "lists", "a buffer");
 }
 
 static void pass_blend_place(Renderer *renderer)

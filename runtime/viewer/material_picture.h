@@ -29,7 +29,7 @@ typedef struct {
  * Returns NULL with the reason in gl->error. */
 MaterialPictures *material_pictures_open(GlContext *gl, const MaterialPictureOptions *options);
 /* Builds the preview scene of a material, to be drawn next. Returns false on failure: the reason
- * is in said->diagnostics, or else in said->error. */
+ * is in reported->diagnostics, or else in reported->error. */
 bool material_pictures_show(MaterialPictures *pictures, MatcDocument *document, int material,
                             MaterialReport *reported);
 /* Returns the pictures that draw the current preview scene. */

@@ -9,8 +9,8 @@
 
 typedef struct ViewLook ViewLook;
 
-/* Returns the mapping of a view. NULL: the view's numbers are in [0, 1] already (`shown`,
- * `open`, `positions`, `voxels`), or the view is a slot, which slot.h maps. */
+/* Returns the mapping of a view. NULL: the view's numbers are in [0, 1] already (`final`,
+ * `ao`, `positions`, `voxels`), or the view is a slot, which slot.h maps. */
 const ViewLook *view_look_find(const char *view);
 /* Returns whether the mapped values are sRGB colors rather than plain numbers. */
 bool view_look_is_color(const ViewLook *look);

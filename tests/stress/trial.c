@@ -277,9 +277,9 @@ static bool try_slot(Trial *t, Program *p, Slot slot)
              component++) {
             double written = s.exact[0].value[0][component],
                    want = wanted.known ? wanted.value.component[slot][component] : written;
-            double capacity = wanted.capacity.component[slot][component];
-            t->count->slopes += wanted.known && capacity > 0;
-            if (capacity > 0 && fabs(want - written) <= capacity)
+            double tolerance = wanted.tolerance.component[slot][component];
+            t->count->slopes += wanted.known && tolerance > 0;
+            if (tolerance > 0 && fabs(want - written) <= tolerance)
                 want = written; /* the optimized program is compared with the unoptimized one */
             for (int level = 0; level < 2; level++)
                 if (!agrees(t, &s, &(Expected){level, 0, component, want}))

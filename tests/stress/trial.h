@@ -83,7 +83,7 @@ const Ir *trial_ir(Trial *t, Arena *arena, Pass pass, Slot slot, int level);
 /* The oracle's value of a slot, and the error of its finite differences against a true slope;
  * trial_oracle.c */
 typedef struct {
-    SlotValues value, capacity;
+    SlotValues value, tolerance;
     bool known;
 } TrialWanted;
 void trial_query_oracle(Trial *t, const Point *point, bool front, Slot slot, TrialWanted *w);

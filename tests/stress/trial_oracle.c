@@ -5,7 +5,7 @@
 
 /* For exact derivatives: one-sided differences that disagree by more are not compared; greatest
  * error of the others. */
-static const double slope_apart = 1e-3, slope_capacity = 1e-6;
+static const double slope_apart = 1e-3, slope_tolerance = 1e-6;
 
 /* Spans of the finite differences for exact derivatives: before and after the point; if these
  * disagree, the slope is unknown. Two that agree may share an error, from the rounding of a
@@ -24,7 +24,7 @@ static void judge_slope(TrialWanted *w, const SlotValues *sides, Slot slot, int 
     w->known = w->known && apart <= slope_apart * size;
     for (int i = SPAN_OTHER; i < SPAN_COUNT; i++)
         apart = fmax(apart, fabs(sides[i].component[slot][component] - value));
-    w->capacity.component[slot][component] = apart == 0 ? 0 : slope_capacity * size + 4 * apart;
+    w->tolerance.component[slot][component] = apart == 0 ? 0 : slope_tolerance * size + 4 * apart;
 }
 
 void trial_query_oracle(Trial *t, const Point *point, bool front, Slot slot, TrialWanted *w)
@@ -33,7 +33,7 @@ void trial_query_oracle(Trial *t, const Point *point, bool front, Slot slot, Tri
     SlotValues sides[SPAN_COUNT];
     /* true displacement has no other slopes */
     const bool differs = t->bumps[slot] && (t->exact || oracle_displaced(t->material));
-    memset(&w->capacity, 0, sizeof w->capacity);
+    memset(&w->tolerance, 0, sizeof w->tolerance);
     point_surface(point, front, &surface);
     oracle_judge_slopes(t->oracle, true);
     oracle_material(t->oracle, t->material, &surface, &w->value);

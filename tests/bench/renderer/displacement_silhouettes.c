@@ -176,9 +176,8 @@ static bool make_masks(Mask masks[VIEWS])
 bool displacement_silhouettes(GlContext *gl)
 {
     Mask truth[VIEWS] = {{NULL, 0, 0}}, masks[VIEWS] = {{NULL, 0, 0}};
-    const bool capacity[2] = {make_masks(truth), make_masks(masks)};
-    bool fine =
-        capacity[0] && capacity[1] && draw(gl, "method: traced, triangles: 250000", false, truth);
+    const bool made[2] = {make_masks(truth), make_masks(masks)};
+    bool fine = made[0] && made[1] && draw(gl, "method: traced, triangles: 250000", false, truth);
     if (fine)
         printf("\nsilhouettes of an asteroid in %d x %d pixels: triangles, pixels for each that is "
                "turned to the "

@@ -82,9 +82,9 @@ static bool difference(Test *t, int axis, int component, double h, double *slope
     const double wider = 2.7;
     double near, far, other = over_steps(t, axis, component, wider * h, &far);
     *slope = over_steps(t, axis, component, h, &near);
-    double capacity = .2 * t->bound * fmax(1, fabs(*slope)),
+    double tolerance = .2 * t->bound * fmax(1, fabs(*slope)),
            crease = (wider * near - far) / (wider - 1);
-    return fabs(crease) <= capacity && fabs(other - *slope) <= capacity;
+    return fabs(crease) <= tolerance && fabs(other - *slope) <= tolerance;
 }
 
 /* Compares with the differences of either of two steps, because cells of fine octaves may begin

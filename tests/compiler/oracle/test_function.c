@@ -94,8 +94,8 @@ static double miss_nearby(Test *t, int i, int component, double start)
     }
     if (t->row->unit == UNIT_CODE)
         return 1;
-    double capacity = high - low;
-    return fmax(fmax(low - capacity - got, got - high - capacity), 0);
+    double tolerance = high - low;
+    return fmax(fmax(low - tolerance - got, got - high - tolerance), 0);
 }
 
 static double miss_of(Test *t, int i, const double expected[CALL_COMPONENTS], int component,

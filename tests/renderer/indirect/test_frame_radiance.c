@@ -51,7 +51,7 @@ static double brightest_of(GlContext *gl, const char *text, double *mean)
 
 /* Six slabs that intersect in their corners, around a cube of edge 2; two lights outside, and a
  * distant box, so that a voxel of 64 is 0.068 wide. */
-static void put_capacity(double wall, const char *shadows, const char *rotation, char text[TEXT])
+static void put_room(double wall, const char *shadows, const char *rotation, char text[TEXT])
 {
     int length = snprintf(
         text, TEXT,
@@ -95,7 +95,7 @@ static void nothing_shines_through_walls(void **state)
     GlContext *gl = frame_context();
     for (size_t i = 0; i < 2 * sizeof cases / sizeof *cases; i++) {
         char room[TEXT], text[2 * TEXT];
-        put_capacity(cases[i / 2].wall, cases[i / 2].shadows, rotations[i % 2], room);
+        put_room(cases[i / 2].wall, cases[i / 2].shadows, rotations[i % 2], room);
         int length = snprintf(text, sizeof text, camera, "0, -.8, .1");
         snprintf(text + length, sizeof text - (size_t)length, "%s", room);
         const double within = brightest_of(gl, text, &mean);

@@ -15,7 +15,7 @@ enum { TEXT = 3072, WIDE = 64, HIGH = 32, ACROSS = 8, SIZE = 64 };
 
 /* -- a room */
 
-static void put_capacity(double wall, char text[TEXT])
+static void put_room(double wall, char text[TEXT])
 {
     int length = snprintf(
         text, TEXT,
@@ -74,7 +74,7 @@ static void nothing_gets_out_of_a_room_of_boxes(void **state)
     static const double walls[] = {.1, .5, 1, 1.4, 2, 4}; /* in voxels, approximately */
     char room[TEXT];
     for (size_t i = 0; i < sizeof walls / sizeof *walls; i++) {
-        put_capacity(walls[i] * 3.4 / SIZE, room);
+        put_room(walls[i] * 3.4 / SIZE, room);
         FrameVoxelsDrawn d = frame_voxels_drawn(room, SIZE);
         const double open = most_open(&d);
         print_message("walls of %.2f voxels, in %d waves: of a point's rays %g get out\n",
