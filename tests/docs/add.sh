@@ -5,6 +5,8 @@
 # usage: tests/docs/add.sh [build folder]   whose objects are reused where the rows cannot change
 #                                           them
 set -eu
+. tests/share.sh
+share_or_skip 1 3
 build=${1:-}
 pages="docs/design/add-a-map.md docs/design/add-a-rule.md docs/design/add-a-target.md docs/design/add-a-pass.md docs/design/add-a-light.md"
 work=$(mktemp -d)

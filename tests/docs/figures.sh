@@ -8,6 +8,7 @@
 # are drawn, may differ by two in their last digit. --update rewrites the pages and keeps their
 # times. Run from the project's root. Status 77: skipped.
 set -u
+. tests/share.sh
 build=$1
 update=${2:-}
 pages="docs/results/performance.md docs/reference/stability.md docs/results/shadows.md docs/results/displacement.md docs/results/layouts.md docs/results/thesis.md"
@@ -74,6 +75,7 @@ grep -o '^<!-- matbench .* -->$' $pages | sed 's/:<!-- matbench \(.*\) -->$/ \1/
 while read -r page command words; do
     name="$command${words:+ $words}"
     blocks=$((blocks + 1))
+    share_takes $blocks 3 || continue
     block "$name" >"$work/block"
     # shellcheck disable=SC2086
     "$build/matbench" "$command" --untimed $words >"$work/printed" 2>"$work/said" || { failed=1 && cat "$work/said"; }

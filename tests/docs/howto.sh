@@ -9,6 +9,8 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 : >"$work/stderr"
 . tests/check.sh
+. tests/share.sh
+number=0
 mkdir "$work/bin" && ln -s "$matc" "$work/bin/matc" && ln -s "$matview" "$work/bin/matview"
 PATH=$work/bin:$PATH
 
@@ -25,6 +27,8 @@ for page in docs/guide/howto/*.md; do
     cd "$root" || exit 1
     check "$title is one screen" test "$(wc -w <"$page")" -le 350
     [ "$title" != README ] || continue
+    number=$((number + 1))
+    share_takes $number 2 || { rm -f "$work/documents" "$work/commands" && continue; }
     check "$title is in the list" grep -qF "($title.md)" docs/guide/howto/README.md
     check "$title has a document" test -s "$work/documents"
     check "$title has commands" test -s "$work/commands"

@@ -11,6 +11,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 : >"$work/stderr"
 . tests/check.sh
+. tests/share.sh
 ten=$(sed -n "s/^matview --contact=materials.png //p" docs/reference/materials.md)
 
 # The documents of the pages below a picture, each named after it; NAME.options has what the page says to matview, NAME.picture where it is
@@ -40,7 +41,10 @@ echo 'material: Phong' >"$work/plain.yaml"
 small="$matview --size=64 --samples=1"
 check "a plain surface" $small "$work/plain.yaml" -o "$work/plain.png"
 
+number=0
 while read -r document; do
+    number=$((number + 1))
+    share_takes $number 3 || continue
     check "$document compiles without a warning" "$matc" --no-validate -Werror "$work/$document.yaml" -o "$work/$document.frag"
     # shellcheck disable=SC2046
     check "$document is drawn" $small $(cat "$work/$document.options") "$work/$document.yaml" -o "$work/$document.png"
@@ -107,6 +111,8 @@ done
 
 for scene in examples/scenes/*.yaml; do
     shown=$(basename "$scene" .yaml)
+    number=$((number + 1))
+    share_takes $number 3 || continue
     [ -z "$update" ] || "$matview" --size=560 "$scene" -o "docs/pictures/gallery/$shown.png"
     check "$shown is in the gallery" grep -q "!\[$shown\](../pictures/gallery/$shown.png).*scenes/$shown.yaml" docs/guide/gallery.md
     check "and so is its picture" test -s "docs/pictures/gallery/$shown.png"

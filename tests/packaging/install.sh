@@ -5,6 +5,8 @@
 set -u
 build=$1
 generator=${2:-Ninja}
+. tests/share.sh
+[ "$generator" = Ninja ] || share_or_skip 2 3
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 engine="$work/the source"

@@ -2,6 +2,8 @@
 # Uses matc as a subfolder of another project, by add_subdirectory as FetchContent does: its
 # library, its compiler, its CMake function. Run from the project's root.
 set -eu
+. tests/share.sh
+share_or_skip 0 3
 source=$(pwd)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
