@@ -7,7 +7,7 @@
 #include "compiler/base/text.h"
 #include "runtime/gl/message.h"
 #include "runtime/mesh_import/model_divide.h"
-#include "runtime/mesh_import/model_import.h"
+#include "runtime/mesh_import/model_reader.h"
 #include <errno.h>
 #include <math.h>
 #include <signal.h>
@@ -28,7 +28,7 @@ enum { MESSAGE = 1024, BROKEN = 3 };
 
 /* Header of the message through the pipe; vertices, indices, runs and optional extras follow. */
 typedef struct {
-    bool done, has_normals, has_coordinates;
+    bool done;
     int vertex_count, index_count, run_count;
     bool extras[SHAPE_EXTRAS];
     ShapeNames names;
@@ -37,8 +37,10 @@ typedef struct {
 
 static const struct {
     const char *ending;
+    ModelReader *read; /* NULL: assimp, in a process of its own */
     bool y_up;
-} endings[] = {{".obj", true}, {".gltf", true}, {".glb", true}, {".ply", false}};
+} endings[] = {
+    {".obj", NULL, true}, {".gltf", NULL, true}, {".glb", NULL, true}, {".ply", NULL, false}};
 
 static int find_ending(const char *path)
 {
@@ -93,8 +95,6 @@ static _Noreturn void import_and_send(const ModelSource *source, int pipe)
     if (HAS_MEMORY_LIMIT)
         limit(RLIMIT_AS, (rlim_t)MODEL_MEMORY_MIB << 20);
     head.done = model_import(source, &parts, head.error, sizeof head.error);
-    head.has_normals = parts.has_normals;
-    head.has_coordinates = parts.has_coordinates;
     head.vertex_count = parts.shape.vertex_count;
     head.index_count = parts.shape.index_count;
     head.run_count = parts.run_count;
@@ -115,16 +115,17 @@ static _Noreturn void import_and_send(const ModelSource *source, int pipe)
     _exit(sent ? 0 : BROKEN);
 }
 
-/* Returns whether the runs cover all indices exactly. */
+/* Returns whether the runs cover all indices and vertices exactly. */
 static bool are_whole(const ModelRun *runs, const Head *head)
 {
-    int64_t indices = 0;
+    int64_t indices = 0, vertices = 0;
     for (int i = 0; i < head->run_count; i++) {
-        if (runs[i].index_count < 0 || runs[i].material < 0)
+        if (runs[i].index_count < 0 || runs[i].vertex_count < 0 || runs[i].material < 0)
             return false;
         indices += runs[i].index_count;
+        vertices += runs[i].vertex_count;
     }
-    return indices == head->index_count;
+    return indices == head->index_count && vertices == head->vertex_count;
 }
 
 /* Receives the extra attributes; NaN and infinities become 0. */
@@ -179,14 +180,16 @@ static bool receive(int pipe, Head *head, Shape *shape, ModelRun **runs)
 typedef struct {
     Shape shape;
     ModelRun *runs;
+    int run_count;
     char *error;
     size_t capacity;
 } Import;
 
-/* Imports a file in a child process; *head describes the received data. */
-static bool import_apart(const ModelSource *source, Head *head, Import *to)
+/* Imports a file in a child process. */
+static bool import_apart(const ModelSource *source, Import *to)
 {
     int ends[2], status = 0;
+    Head head = {0};
     if (pipe(ends))
         return message_fail(to->error, to->capacity, "%s", text_error(errno));
     const pid_t child = fork();
@@ -195,7 +198,7 @@ static bool import_apart(const ModelSource *source, Head *head, Import *to)
         import_and_send(source, ends[1]);
     }
     close(ends[1]);
-    bool whole = child > 0 && receive(ends[0], head, &to->shape, &to->runs);
+    bool whole = child > 0 && receive(ends[0], &head, &to->shape, &to->runs);
     close(ends[0]);
     while (child > 0 && waitpid(child, &status, 0) < 0 && errno == EINTR)
         continue;
@@ -203,15 +206,31 @@ static bool import_apart(const ModelSource *source, Head *head, Import *to)
         return message_fail(to->error, to->capacity,
                             "reading it took too much time or memory, or broke off: the file is "
                             "damaged, or too large");
-    return head->done || message_fail(to->error, to->capacity, "%s", head->error);
+    to->run_count = head.run_count;
+    return head.done || message_fail(to->error, to->capacity, "%s", head.error);
+}
+
+/* Reads a file by the reader of its ending. */
+static bool import(const ModelSource *source, Import *to)
+{
+    ModelParts parts = {0};
+    ModelReader *read = endings[find_ending(source->path)].read;
+    if (!read)
+        return import_apart(source, to);
+    const bool done = read(source, &parts, to->error, to->capacity);
+    to->shape = parts.shape;
+    to->runs = parts.runs;
+    to->run_count = parts.run_count;
+    return done;
 }
 
 /* Rotates from y up (z toward the viewer) to z up. */
 static void turn(Shape *shape)
 {
     for (int i = 0; i < shape->vertex_count; i++) {
-        float *vectors[2] = {shape->vertices[i].position, shape->vertices[i].normal};
-        for (int k = 0; k < 2; k++) {
+        ShapeVertex *vertex = &shape->vertices[i];
+        float *vectors[] = {vertex->position, vertex->normal, vertex->tangentU, vertex->tangentV};
+        for (int k = 0; k < 4; k++) {
             const float y = vectors[k][1];
             vectors[k][1] = -vectors[k][2];
             vectors[k][2] = y;
@@ -235,17 +254,16 @@ static bool is_readable(const ModelSource *source, char *error, size_t capacity)
            message_fail(error, capacity, "larger than %d MiB", MODEL_FILE_MIB);
 }
 
-typedef const char *Complete(Shape *shape, bool has_normals, bool has_coordinates);
+typedef const char *Complete(Shape *shape, const ModelRun *runs, int run_count);
 
-static bool read_and_complete(const ModelSource *source, Complete *complete, Head *head, Import *to)
+static bool read_and_complete(const ModelSource *source, Complete *complete, Import *to)
 {
     if (!is_readable(source, to->error, to->capacity))
         return false;
-    bool done = import_apart(source, head, to);
+    bool done = import(source, to);
     if (done && endings[find_ending(source->path)].y_up)
         turn(&to->shape);
-    const char *fault =
-        done ? complete(&to->shape, head->has_normals, head->has_coordinates) : NULL;
+    const char *fault = done ? complete(&to->shape, to->runs, to->run_count) : NULL;
     if (fault)
         done = message_fail(to->error, to->capacity, "%s", fault);
     if (!done)
@@ -255,8 +273,7 @@ static bool read_and_complete(const ModelSource *source, Complete *complete, Hea
 
 static bool read_whole(const ModelSource *source, Complete *complete, Shape *made, Import *to)
 {
-    Head head = {0};
-    const bool done = read_and_complete(source, complete, &head, to);
+    const bool done = read_and_complete(source, complete, to);
     free(to->runs);
     *made = to->shape;
     return done;
@@ -264,20 +281,20 @@ static bool read_whole(const ModelSource *source, Complete *complete, Shape *mad
 
 bool model_read(const char *path, Shape *made, char *error, size_t capacity)
 {
-    return read_whole(&(ModelSource){.path = path}, model_complete, made,
+    return read_whole(&(ModelSource){.path = path}, model_complete_runs, made,
                       &(Import){.error = error, .capacity = capacity});
 }
 
 bool model_read_in_place(const char *path, Shape *made, char *error, size_t capacity)
 {
-    return read_whole(&(ModelSource){.path = path}, model_complete_in_place, made,
+    return read_whole(&(ModelSource){.path = path}, model_complete_runs_in_place, made,
                       &(Import){.error = error, .capacity = capacity});
 }
 
 static bool make_whole(const ModelSource *source, ModelPart **made, int *count, Import *to)
 {
     ModelPart part = {.material = -1};
-    if (!read_whole(source, model_complete_in_place, &part.shape, to))
+    if (!read_whole(source, model_complete_runs_in_place, &part.shape, to))
         return false;
     *made = memory_checked(malloc(sizeof **made));
     **made = part;
@@ -288,17 +305,16 @@ static bool make_whole(const ModelSource *source, ModelPart **made, int *count, 
 bool model_read_source(const ModelSource *source, ModelPart **made, int *count, char *error,
                        size_t capacity)
 {
-    Head head = {0};
-    Import import = {.error = error, .capacity = capacity};
+    Import imported = {.error = error, .capacity = capacity};
     *count = 0;
     *made = NULL;
     if (source->whole)
-        return make_whole(source, made, count, &import);
-    bool done = read_and_complete(source, model_complete_in_place, &head, &import);
-    if (done && !model_divide(&import.shape, import.runs, head.run_count, made, count))
+        return make_whole(source, made, count, &imported);
+    bool done = read_and_complete(source, model_complete_runs_in_place, &imported);
+    if (done && !model_divide(&imported.shape, imported.runs, imported.run_count, made, count))
         done = message_fail(error, capacity, "out of memory");
-    shape_free(&import.shape);
-    free(import.runs);
+    shape_free(&imported.shape);
+    free(imported.runs);
     return done;
 }
 

@@ -15,10 +15,15 @@ enum {
     MODEL_MEMORY_MIB = 4096 /* max memory for reading a file, in MiB */
 };
 
-/* Consecutive triangles that share a material. */
+/* Consecutive triangles that share a material, such as a glTF primitive. A run uses consecutive
+ * vertices, which no other run uses. */
 typedef struct {
-    int material;    /* index in the file; MODEL_NO_MATERIAL: glTF triangles without material */
-    int index_count; /* number of indices, three per triangle */
+    int material;     /* index in the file; MODEL_NO_MATERIAL: glTF triangles without material */
+    int index_count;  /* number of indices, three per triangle */
+    int vertex_count; /* number of vertices, used or not */
+    bool has_normals, has_coordinates;
+    /* Both tangents are directions of the file: their lengths are computed, as for others. */
+    bool has_tangents;
 } ModelRun;
 
 /* Reads all triangles of an OBJ, glTF 2 (.gltf, .glb) or PLY file. Rotates OBJ and glTF meshes
@@ -60,4 +65,8 @@ void model_files(const char *path, WatchList *files);
  * size. */
 const char *model_complete(Shape *shape, bool has_normals, bool has_coordinates);
 const char *model_complete_in_place(Shape *shape, bool has_normals, bool has_coordinates);
+
+/* Complete each of several runs, which cover all vertices and indices in order. */
+const char *model_complete_runs(Shape *shape, const ModelRun *runs, int run_count);
+const char *model_complete_runs_in_place(Shape *shape, const ModelRun *runs, int run_count);
 #endif

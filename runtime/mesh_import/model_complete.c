@@ -74,10 +74,10 @@ static float fit(Shape *shape)
 }
 
 /* Computes spherical texture coordinates: longitude and latitude as seen from the origin. */
-static void make_coordinates(Shape *shape)
+static void make_coordinates(ShapeVertex *vertices, int count)
 {
-    for (int i = 0; i < shape->vertex_count; i++) {
-        ShapeVertex *vertex = &shape->vertices[i];
+    for (int i = 0; i < count; i++) {
+        ShapeVertex *vertex = &vertices[i];
         const float *p = vertex->position;
         float turn = atan2f(p[1], p[0]) / (float)(2 * PI);
         vertex->uv[0] = turn < 0 ? turn + 1 : turn;
@@ -85,17 +85,15 @@ static void make_coordinates(Shape *shape)
     }
 }
 
-/* Computes area-weighted vertex normals: sums the cross products of the edges of all faces at a
- * vertex. */
-static void make_normals(Shape *shape)
+/* Computes area-weighted vertex normals, which are 0 before: sums the cross products of the edges
+ * of all faces at a vertex. */
+static void make_normals(ShapeVertex *vertices, const uint32_t *indices, int count)
 {
-    for (int i = 0; i < shape->vertex_count; i++)
-        memset(shape->vertices[i].normal, 0, sizeof shape->vertices[i].normal);
-    for (int i = 0; i < shape->index_count; i += 3) {
+    for (int i = 0; i < count; i += 3) {
         ShapeVertex *corner[3];
         float a[3], b[3], normal[3];
         for (int k = 0; k < 3; k++)
-            corner[k] = &shape->vertices[shape->indices[i + k]];
+            corner[k] = &vertices[indices[i + k]];
         subtract(corner[1]->position, corner[0]->position, a);
         subtract(corner[2]->position, corner[0]->position, b);
         cross(a, b, normal);
@@ -194,53 +192,135 @@ static bool make_tangents(Shape *shape)
     return true;
 }
 
-/* Returns whether all texture coordinates are finite and below 1e9, as tangents require. */
-static bool are_finite(const Shape *shape)
+/* Unit directions of both tangents that the file gives a vertex; 0: none. */
+typedef struct {
+    float u[3], v[3];
+} Directions;
+
+/* Moves the tangents of the file out of the vertices. Returns false if memory runs out. *made is
+ * NULL if no run has tangents. */
+static bool take_directions(Shape *shape, const ModelRun *runs, int run_count, Directions **made)
 {
-    for (int i = 0; i < shape->vertex_count; i++)
-        if (!(fabsf(shape->vertices[i].uv[0]) < 1e9f && fabsf(shape->vertices[i].uv[1]) < 1e9f))
+    bool any = false;
+    *made = NULL;
+    for (int i = 0; i < run_count; i++)
+        any |= runs[i].has_tangents;
+    if (!any)
+        return true;
+    *made = malloc((size_t)shape->vertex_count * sizeof **made);
+    for (int i = 0; *made && i < shape->vertex_count; i++) {
+        ShapeVertex *vertex = &shape->vertices[i];
+        memcpy((*made)[i].u, vertex->tangentU, sizeof vertex->tangentU);
+        memcpy((*made)[i].v, vertex->tangentV, sizeof vertex->tangentV);
+        memset(vertex->tangentU, 0, sizeof vertex->tangentU);
+        memset(vertex->tangentV, 0, sizeof vertex->tangentV);
+    }
+    return *made != NULL;
+}
+
+/* Gives tangents the directions of the file and the lengths of dP/du and dP/dv. */
+static void put_directions(Shape *shape, const Directions *directions)
+{
+    for (int i = 0; directions && i < shape->vertex_count; i++) {
+        ShapeVertex *vertex = &shape->vertices[i];
+        Directions own = directions[i];
+        const float lengths[2] = {sqrtf(dot(vertex->tangentU, vertex->tangentU)),
+                                  sqrtf(dot(vertex->tangentV, vertex->tangentV))};
+        if (!normalize(own.u) || !normalize(own.v))
+            continue;
+        for (int k = 0; k < 3; k++) {
+            vertex->tangentU[k] = own.u[k] * lengths[0];
+            vertex->tangentV[k] = own.v[k] * lengths[1];
+        }
+    }
+}
+
+/* Returns whether all texture coordinates are finite and below 1e9, as tangents require. */
+static bool are_finite(const ShapeVertex *vertices, int count)
+{
+    for (int i = 0; i < count; i++)
+        if (!(fabsf(vertices[i].uv[0]) < 1e9f && fabsf(vertices[i].uv[1]) < 1e9f))
             return false;
     return true;
+}
+
+/* Returns an error message unless the runs have valid coordinates, and triangles of their own
+ * vertices only. */
+static const char *find_run_fault(const Shape *shape, const ModelRun *runs, int run_count)
+{
+    for (int i = 0, index = 0, vertex = 0; i < run_count; vertex += runs[i++].vertex_count) {
+        if (runs[i].has_coordinates && !are_finite(shape->vertices + vertex, runs[i].vertex_count))
+            return "a texture coordinate is no number, or not below 1e9";
+        for (const int end = index + runs[i].index_count; index < end; index++)
+            if (shape->indices[index] < (uint32_t)vertex ||
+                shape->indices[index] >= (uint32_t)(vertex + runs[i].vertex_count))
+                return "a triangle has a corner that is not there";
+    }
+    return NULL;
+}
+
+/* Computes the normals and texture coordinates that runs lack. */
+static void complete_runs(Shape *shape, const ModelRun *runs, int run_count)
+{
+    for (int i = 0, index = 0, vertex = 0; i < run_count; i++) {
+        if (!runs[i].has_coordinates)
+            make_coordinates(shape->vertices + vertex, runs[i].vertex_count);
+        for (int k = 0; !runs[i].has_normals && k < runs[i].vertex_count; k++)
+            memset(shape->vertices[vertex + k].normal, 0, sizeof shape->vertices[0].normal);
+        if (!runs[i].has_normals)
+            make_normals(shape->vertices, shape->indices + index, runs[i].index_count);
+        index += runs[i].index_count;
+        vertex += runs[i].vertex_count;
+    }
+    mend_normals(shape);
+}
+
+/* Splits vertices between mirrored and other coordinates, and makes tangents. */
+static bool add_frames(Shape *shape, const ModelRun *runs, int run_count, float (*kept)[3])
+{
+    Directions *directions = NULL;
+    const bool done = model_part_sides(shape, kept) &&
+                      take_directions(shape, runs, run_count, &directions) && make_tangents(shape);
+    if (done)
+        put_directions(shape, directions);
+    free(directions);
+    return done;
 }
 
 /* Validates and completes a mesh, fitted into the unit sphere; *size restores the original size.
  * `kept`: NULL, or a row per vertex with capacity for twice as many; a duplicated vertex has its
  * row copied. */
-static const char *complete(Shape *shape, bool has_normals, bool has_coordinates, float *size,
+static const char *complete(Shape *shape, const ModelRun *runs, int run_count, float *size,
                             float (*kept)[3])
 {
     const char *fault = find_fault(shape);
+    if (!fault)
+        fault = find_run_fault(shape, runs, run_count);
     if (fault)
         return fault;
-    if (has_coordinates && !are_finite(shape))
-        return "a texture coordinate is no number, or not below 1e9";
     *size = fit(shape);
     if (!(*size > 0))
         return "all its corners are one point";
-    if (!has_coordinates)
-        make_coordinates(shape);
-    if (!has_normals)
-        make_normals(shape);
-    mend_normals(shape);
-    return model_part_sides(shape, kept) && make_tangents(shape) ? NULL : "out of memory";
+    complete_runs(shape, runs, run_count);
+    return add_frames(shape, runs, run_count, kept) ? NULL : "out of memory";
 }
 
-const char *model_complete(Shape *shape, bool has_normals, bool has_coordinates)
+const char *model_complete_runs(Shape *shape, const ModelRun *runs, int run_count)
 {
     float size;
-    return complete(shape, has_normals, has_coordinates, &size, NULL);
+    return complete(shape, runs, run_count, &size, NULL);
 }
 
 /* Computes on the mesh scaled to size 1, so that the threshold for small areas is well defined,
  * and restores positions and tangents afterwards. */
-const char *model_complete_in_place(Shape *shape, bool has_normals, bool has_coordinates)
+const char *model_complete_runs_in_place(Shape *shape, const ModelRun *runs, int run_count)
 {
     float size, (*kept)[3] = malloc((size_t)shape->vertex_count * 2 * sizeof *kept + 1);
     if (!kept)
         return "out of memory";
     for (int i = 0; i < shape->vertex_count; i++)
         memcpy(kept[i], shape->vertices[i].position, sizeof *kept);
-    const char *fault = complete(shape, has_normals, has_coordinates, &size, kept);
+    const char *fault = complete(shape, runs, run_count, &size, kept);
     for (int i = 0; !fault && i < shape->vertex_count; i++) {
         memcpy(shape->vertices[i].position, kept[i], sizeof *kept);
         for (int k = 0; k < 3; k++) {
@@ -250,4 +330,25 @@ const char *model_complete_in_place(Shape *shape, bool has_normals, bool has_coo
     }
     free(kept);
     return fault;
+}
+
+/* The whole shape as a run without tangents. */
+static ModelRun whole_run(const Shape *shape, bool has_normals, bool has_coordinates)
+{
+    return (ModelRun){.index_count = shape->index_count,
+                      .vertex_count = shape->vertex_count,
+                      .has_normals = has_normals,
+                      .has_coordinates = has_coordinates};
+}
+
+const char *model_complete(Shape *shape, bool has_normals, bool has_coordinates)
+{
+    const ModelRun run = whole_run(shape, has_normals, has_coordinates);
+    return model_complete_runs(shape, &run, 1);
+}
+
+const char *model_complete_in_place(Shape *shape, bool has_normals, bool has_coordinates)
+{
+    const ModelRun run = whole_run(shape, has_normals, has_coordinates);
+    return model_complete_runs_in_place(shape, &run, 1);
 }

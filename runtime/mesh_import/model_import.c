@@ -1,10 +1,10 @@
 /* Converts assimp's scene to a single list of triangles. */
-#include "runtime/mesh_import/model_import.h"
 #include "runtime/gl/message.h"
 #include "runtime/mesh_import/model_attributes.h"
 #include "runtime/mesh_import/model_join.h"
 #include "runtime/mesh_import/model_number.h"
 #include "runtime/mesh_import/model_open.h"
+#include "runtime/mesh_import/model_reader.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -176,7 +176,7 @@ static bool add_mesh(const struct aiMesh *mesh, int material, const ModelAttribu
                      ModelParts *parts)
 {
     ModelJoin join;
-    const int before = parts->shape.index_count;
+    const int before = parts->shape.index_count, first = parts->shape.vertex_count;
     const bool joined = model_join_open(&join, &parts->shape, mesh->mNumVertices) &&
                         add_vertices(mesh, attributes, &join);
     for (unsigned f = 0; joined && f < mesh->mNumFaces; f++)
@@ -186,9 +186,11 @@ static bool add_mesh(const struct aiMesh *mesh, int material, const ModelAttribu
             parts->shape.indices[parts->shape.index_count++] =
                 index < mesh->mNumVertices ? join.joined[index] : UINT32_MAX;
         }
-    parts->has_normals &= mesh->mNormals != NULL;
-    parts->has_coordinates &= has_set(mesh, 0);
-    parts->runs[parts->run_count++] = (ModelRun){material, parts->shape.index_count - before};
+    parts->runs[parts->run_count++] = (ModelRun){.material = material,
+                                                 .index_count = parts->shape.index_count - before,
+                                                 .vertex_count = parts->shape.vertex_count - first,
+                                                 .has_normals = mesh->mNormals != NULL,
+                                                 .has_coordinates = has_set(mesh, 0)};
     model_join_close(&join);
     return joined;
 }
@@ -208,7 +210,7 @@ static bool take(const struct aiScene *scene, const ModelAttributes *attributes,
     if (indices > MODEL_INDICES)
         return fail_many(vertices, indices, error, capacity);
     const size_t most = vertices < MODEL_VERTICES ? vertices : MODEL_VERTICES;
-    *parts = (ModelParts){.has_normals = true, .has_coordinates = true};
+    *parts = (ModelParts){0};
     parts->shape.vertices = calloc(most + 1, sizeof *parts->shape.vertices);
     parts->shape.indices = calloc(indices + 1, sizeof *parts->shape.indices);
     parts->runs = calloc((size_t)scene->mNumMeshes + 1, sizeof *parts->runs);
