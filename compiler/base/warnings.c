@@ -84,6 +84,14 @@ Severity warnings_severity(const char *settings, DiagKind kind)
                      : SEVERITY_warning;
 }
 
+const char *warnings_renamed(const char *name)
+{
+    for (size_t i = 0; i < sizeof aliases / sizeof *aliases; i++)
+        if (strcmp(name, aliases[i].old) == 0)
+            return diag_table[aliases[i].kind].name;
+    return NULL;
+}
+
 const char *warnings_name(const void *user, int i)
 {
     (void)user;

@@ -10,6 +10,8 @@ Severity warnings_severity(const char *settings, DiagKind kind);
 /* Returns the first invalid setting, a pointer into `settings`, and its length in *size; NULL if
  * all are valid. */
 const char *warnings_fault(const char *settings, size_t *size);
+/* Returns the present name of a warning that was renamed; NULL for any other name. */
+const char *warnings_renamed(const char *name);
 /* Returns the i-th name that settings may use, NULL after the last; for suggestions. */
 const char *warnings_name(const void *user, int i);
 #endif

@@ -1,5 +1,6 @@
 /* matc --explain NAME: writes the page of a name, or several pages if the name is ambiguous.
  * Case is ignored if no name matches exactly. */
+#include "compiler/base/warnings.h"
 #include "compiler/describe/describe.h"
 #include "compiler/matc.h"
 #include "grammar/expression_tables.h"
@@ -308,11 +309,22 @@ static void explain_warnings(const Query *q)
             text_format(q->out, "  %-20s  %s\n", diag_table[i].name, diag_table[i].doc);
 }
 
+/* Writes the page of a warning's present name, for a name of version 0.1. */
+static void explain_renamed(const Query *q)
+{
+    const char *present = warnings_renamed(q->name);
+    if (!present)
+        return;
+    text_format(q->out, "%s (former name of a warning, now %s)\n", q->name, present);
+    explain_diags(&(Query){q->out, present, strcmp});
+}
+
 char *describe_explain(const char *name)
 {
     Arena arena = {0};
     Text out = text_new(&arena);
     Query query = {&out, name, strcmp};
+    explain_renamed(&query);
     for (int round = 0; round < 2 && !out.size; round++) {
         explain_kinds(&query);
         explain_scenes(&query);
@@ -336,5 +348,5 @@ char *describe_explain(const char *name)
     if (out.size)
         return describe_finish(&out);
     arena_free(&arena);
-    return NULL;
+    return matc_list_of(name); /* a name of --list */
 }

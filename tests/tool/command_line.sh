@@ -282,6 +282,8 @@ check "--explain NAME FILE" status 0 "$matc" --explain rust "$work/rust.yaml"
 check "is its page" grep -q "^  amount  *number  *0.5  *0 to 1  *How much is rusty." "$work/stdout"
 check "of none" status 2 "$matc" --explain rusty "$work/rust.yaml"
 check "is told, too" says "unknown name 'rusty'"
+check "--explain describes a name of --list" sh -c "'$matc' --explain library | grep -q 'bricks.yaml'"
+check "and a warning by its former name" sh -c "'$matc' --explain parted | grep -q '^dropped (diagnostic)'"
 
 check "--textures" status 0 $fast --noise=groimp --textures "$work" examples/granite.yaml -o /dev/null
 check "writes the tables" test -s "$work/matc_permutation.ktx" -a -s "$work/matc_random.ktx"
