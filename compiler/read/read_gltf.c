@@ -7,13 +7,17 @@
  *                baseColorTexture: { map: ImageMap, image: bark.png, colorspace: srgb } } }
  *
  * Members of a material, of its pbrMetallicRoughness and of its extensions become parameters of
- * the same name, if the material glTF has them; others are reported as ignored. If a primitive
+ * the same name, if grammar/gltf.def lists them for that object; gltf_unread.c reports the others.
+ * KHR_materials_unlit and KHR_materials_pbrSpecularGlossiness: gltf_workflow.c. If a primitive
  * has no material, one named `default` is added. */
 #include "compiler/base/names.h"
 #include "compiler/base/text.h"
 #include "compiler/read/gltf_chunks.h"
+#include "compiler/read/gltf_unread.h"
+#include "compiler/read/gltf_workflow.h"
 #include "compiler/read/read.h"
 #include "grammar/tables.h"
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -24,6 +28,7 @@ enum {
     MIRROR = 33648,
     REPEAT = 10497
 }; /* values of OpenGL constants that samplers use */
+enum { MAX_TEXTURE_COORDINATES = 7 };
 
 typedef struct {
     Session *session;
@@ -39,40 +44,24 @@ typedef struct {
     bool bare; /* a primitive has no material */
 } Gltf;
 
-/* An object under construction. */
-typedef struct {
-    Member *members;
-    size_t count, capacity;
-} Keys;
-
-static void put(Gltf *g, Keys *made, const char *key, Tree *value)
+static void put(Gltf *g, GltfKeys *made, const char *key, Tree *value)
 {
-    const Member member = {key, value, value->span, (uint32_t)strlen(key)};
-    ARENA_PUSH(g->session->arena, made->members, made->count, made->capacity, member);
+    gltf_workflow_put(g->session, made, key, value);
 }
 
 static Tree *word(Gltf *g, const char *text, Span span)
 {
-    Tree *tree = ARENA_NEW(g->session->arena, Tree);
-    *tree =
-        (Tree){.kind = TREE_scalar, .plain = true, .span = span, .count = (uint32_t)strlen(text)};
-    tree->text = text;
-    return tree;
+    return gltf_workflow_word(g->session, text, span);
 }
 
 static Tree *number(Gltf *g, double value, Span span)
 {
-    Text text = text_new(g->session->arena);
-    text_plain(&text, value);
-    return word(g, text.at, span);
+    return gltf_workflow_number(g->session, value, span);
 }
 
-static Tree *object(Gltf *g, const Keys *made, Span span)
+static Tree *object(Gltf *g, const GltfKeys *made, Span span)
 {
-    Tree *tree = ARENA_NEW(g->session->arena, Tree);
-    *tree = (Tree){.kind = TREE_object, .span = span};
-    tree_set_members(g->session, tree, made->members, made->count);
-    return tree;
+    return gltf_workflow_object(g->session, made, span);
 }
 
 static Tree *value_of(const Tree *tree, const char *key)
@@ -104,7 +93,7 @@ static Tree *item_of(Gltf *g, const char *list, const Tree *index)
 }
 
 /* Translates a sampler: address mode and filter. */
-static void put_sampler(Gltf *g, Keys *made, const Tree *texture)
+static void put_sampler(Gltf *g, GltfKeys *made, const Tree *texture)
 {
     const Tree *index = value_of(texture, "sampler"),
                *sampler = index ? item_of(g, "samplers", index) : NULL;
@@ -122,55 +111,94 @@ static void put_sampler(Gltf *g, Keys *made, const Tree *texture)
         put(g, made, "texels", word(g, "centre", texture->span));
 }
 
-/* Translates KHR_texture_transform: (u, v) times `scale` plus `offset`, with v pointing down.
- * Here v points up: v' = 1 - (sy (1 - v) + oy). */
-static void put_transform(Gltf *g, Keys *made, const Tree *info, Tree *coordinates)
+static void read_pair(const Tree *list, double pair[2])
 {
-    const Tree *transform = value_of(value_of(info, "extensions"), "KHR_texture_transform");
-    const Tree *lists[2] = {value_of(transform, "offset"), value_of(transform, "scale")};
-    double to[2][2] = {{0, 0}, {1, 1}}, turn = 0;
-    Keys map = {0};
-    for (int i = 0; i < 4; i++)
-        if (lists[i / 2] && lists[i / 2]->kind == TREE_list && lists[i / 2]->count == 2)
-            tree_number(lists[i / 2]->items[i % 2], &to[i / 2][i % 2]);
-    const Tree *rotation = value_of(transform, "rotation");
-    if (rotation && tree_number(rotation, &turn) && turn != 0)
-        diag_add(g->session, rotation->span, DIAG_gltf_unread,
-                 "an image with a rotated texture transform");
-    const bool moved = to[0][0] != 0 || to[0][1] != 0 || to[1][0] != 1 || to[1][1] != 1;
-    if (!moved || to[1][0] == 0 || to[1][1] == 0) {
-        if (coordinates)
-            put(g, made, "input", coordinates);
-        return;
-    }
-    const Span span = transform->span;
-    put(g, &map, "map", word(g, "UVTransform", span));
-    put(g, &map, "scaleU", number(g, to[1][0], span));
-    put(g, &map, "scaleV", number(g, to[1][1], span));
-    put(g, &map, "offsetU", number(g, -to[0][0] / to[1][0], span));
-    put(g, &map, "offsetV", number(g, -(1 - to[1][1] - to[0][1]) / to[1][1], span));
-    if (coordinates)
-        put(g, &map, "input", coordinates);
-    put(g, made, "input", object(g, &map, span));
+    for (int i = 0; list && list->kind == TREE_list && list->count == 2 && i < 2; i++)
+        tree_number(list->items[i], &pair[i]);
 }
 
-/* Returns the map for the second set of texture coordinates, which is a mesh attribute; NULL for
- * the first set. Tangents are always those of the first set. */
-static Tree *coordinates_of(Gltf *g, const Tree *info, bool normals)
+/* A map UVTransform computes scale * rotate(-angle) * ((u, v) - offset). */
+static Tree *uv_transform(Gltf *g, const double offset[2], const double scale[2], double angle,
+                          Span span)
 {
-    const Tree *set = value_of(info, "texCoord");
-    const int number = set ? whole_of(set, -1) : 0;
-    if (number == 1 && !normals)
-        return word(g, "= attribute(\"uv1\", vec2)", set->span);
-    if (number)
+    GltfKeys map = {0};
+    put(g, &map, "map", word(g, "UVTransform", span));
+    if (scale[0] != 1 || scale[1] != 1) {
+        put(g, &map, "scaleU", number(g, scale[0], span));
+        put(g, &map, "scaleV", number(g, scale[1], span));
+    }
+    if (angle != 0)
+        put(g, &map, "angle", number(g, angle, span));
+    if (offset[0] != 0 || offset[1] != 0) {
+        put(g, &map, "offsetU", number(g, offset[0], span));
+        put(g, &map, "offsetV", number(g, offset[1], span));
+    }
+    return object(g, &map, span);
+}
+
+static void put_input(Gltf *g, Tree *map, Tree *input)
+{
+    GltfKeys made = {0};
+    for (uint32_t i = 0; i < map->count; i++)
+        put(g, &made, map->members[i].key, map->members[i].value);
+    put(g, &made, "input", input);
+    tree_set_members(g->session, map, made.members, made.count);
+}
+
+/* Translates KHR_texture_transform: with c = cos(rotation), s = sin(rotation) and v pointing down,
+ * u' = c sx u + s sy v + ox and v' = -s sx u + c sy v + oy, so that a rotation by pi / 2 turns the
+ * image clockwise. Here v points up, and both v and v' are one minus that:
+ * (u', v') = R(rotation) S (u, v) + (s sy + ox, 1 - c sy - oy), with S the scale. A map without
+ * rotation has its offset before the scale; otherwise one map scales, a second one rotates. */
+static Tree *transformed(Gltf *g, const Tree *transform, Tree *coordinates)
+{
+    static const double none[2] = {0, 0}, one[2] = {1, 1};
+    double by[2] = {0, 0}, scale[2] = {1, 1}, angle = 0;
+    const Tree *rotation = value_of(transform, "rotation");
+    read_pair(value_of(transform, "offset"), by);
+    read_pair(value_of(transform, "scale"), scale);
+    if (rotation)
+        tree_number(rotation, &angle);
+    const double c = cos(angle), s = sin(angle);
+    const double x = s * scale[1] + by[0], y = 1 - c * scale[1] - by[1];
+    if (x == 0 && y == 0 && scale[0] == 1 && scale[1] == 1 && angle == 0)
+        return coordinates;
+    const bool nested = angle != 0 || scale[0] == 0 || scale[1] == 0;
+    const double offset[2] = {nested ? -(c * x + s * y) : -x / scale[0],
+                              nested ? s * x - c * y : -y / scale[1]};
+    const bool scaled = nested && (scale[0] != 1 || scale[1] != 1);
+    Tree *map = uv_transform(g, offset, nested ? one : scale, -angle, transform->span);
+    Tree *inner = scaled ? uv_transform(g, none, scale, 0, transform->span) : coordinates;
+    if (scaled && coordinates)
+        put_input(g, inner, coordinates);
+    if (inner)
+        put_input(g, map, inner);
+    return map;
+}
+
+/* Returns the map for a further set of texture coordinates, which is a mesh attribute; NULL for
+ * the first set. Tangents are always those of the first set. */
+static Tree *coordinates_of(Gltf *g, const Tree *info, const Tree *transform, bool normals)
+{
+    const Tree *own = value_of(transform, "texCoord"),
+               *set = own ? own : value_of(info, "texCoord");
+    const int index = set ? whole_of(set, MAX_TEXTURE_COORDINATES + 1) : 0;
+    Text text = text_new(g->session->arena);
+    if (!index)
+        return NULL;
+    if (index > MAX_TEXTURE_COORDINATES) {
+        diag_add(g->session, set->span, DIAG_gltf_unread, "this set of texture coordinates");
+        return NULL;
+    }
+    if (normals)
         diag_add(g->session, set->span, DIAG_gltf_unread,
-                 number == 1 ? "a second set of texture coordinates, of normals,"
-                             : "a third set of texture coordinates");
-    return NULL;
+                 "the direction of a further set of texture coordinates, of normals,");
+    text_format(&text, "= attribute(\"uv%d\", vec2)", index);
+    return word(g, text.at, set->span);
 }
 
 /* Writes an image's path: the external file's name, or a fragment path for an embedded image. */
-static void put_image(Gltf *g, Keys *made, const Tree *image, const Tree *number)
+static void put_image(Gltf *g, GltfKeys *made, const Tree *image, const Tree *number)
 {
     const Tree *uri = value_of(image, "uri");
     const bool file = uri && uri->kind == TREE_scalar && strncmp(uri->text, "data:", 5) != 0;
@@ -180,26 +208,42 @@ static void put_image(Gltf *g, Keys *made, const Tree *image, const Tree *number
                     image->span));
 }
 
+/* Returns the index of a texture's image. A texture may name images of further formats, beside
+ * one that every reader knows. */
+static const Tree *source_of(const Tree *texture)
+{
+    const Tree *extensions = value_of(texture, "extensions"), *source = value_of(texture, "source");
+    const Tree *webp = value_of(value_of(extensions, "EXT_texture_webp"), "source"),
+               *basis = value_of(value_of(extensions, "KHR_texture_basisu"), "source");
+    if (webp && (GLTF_WEBP || !source))
+        return webp;
+    return source ? source : basis;
+}
+
 /* Converts a texture reference { index, texCoord } to an ImageMap; NULL after reporting why it
  * is impossible. */
 static Tree *picture(Gltf *g, const Tree *info, bool srgb, bool normals)
 {
-    const Tree *index = value_of(info, "index");
-    Tree *coordinates = coordinates_of(g, info, normals);
+    const Tree *index = value_of(info, "index"),
+               *transform = value_of(value_of(info, "extensions"), "KHR_texture_transform");
     const Tree *texture = index ? item_of(g, "textures", index) : NULL,
-               *source = value_of(texture, "source");
+               *source = source_of(texture);
     const Tree *image = source ? item_of(g, "images", source) : NULL;
+    Tree *coordinates = coordinates_of(g, info, transform, normals);
     if (!image) {
         if (!index || (texture && !source))
             diag_add(g->session, info->span, DIAG_gltf_unread, "a texture without an image");
         return NULL;
     }
-    Keys made = {0};
+    GltfKeys made = {0};
     put(g, &made, "map", word(g, "ImageMap", info->span));
     put_image(g, &made, image, source);
     put(g, &made, "colorspace", word(g, srgb ? "srgb" : "linear", info->span));
     put_sampler(g, &made, texture);
-    put_transform(g, &made, info, coordinates);
+    if (transform)
+        coordinates = transformed(g, transform, coordinates);
+    if (coordinates)
+        put(g, &made, "input", coordinates);
     return object(g, &made, info->span);
 }
 
@@ -212,14 +256,8 @@ static int find_param(const char *name)
     return -1;
 }
 
-static bool ends_in_texture(const char *key)
-{
-    const size_t size = strlen(key), end = sizeof "Texture" - 1;
-    return size > end && !strcmp(key + size - end, "Texture");
-}
-
 /* Adds an ImageMap, and the factor that accompanies its index. */
-static void put_picture(Gltf *g, Keys *made, const Member *member, int param)
+static void put_picture(Gltf *g, GltfKeys *made, const Member *member, int param)
 {
     static const struct {
         const char *texture, *key, *param;
@@ -237,28 +275,34 @@ static void put_picture(Gltf *g, Keys *made, const Member *member, int param)
     }
 }
 
-static void put_members(Gltf *g, Keys *made, const Tree *from, bool outermost)
+static void put_members(Gltf *g, GltfKeys *made, const Tree *from, GltfObject object)
 {
-    static const char *const skipped[] = {"name", "extras", "doubleSided", "pbrMetallicRoughness",
-                                          "extensions"};
     for (uint32_t i = 0; from && from->kind == TREE_object && i < from->count; i++) {
         const Member *member = &from->members[i];
-        const char *key = strcmp(member->key, "iridescenceThicknessMaximum")
-                              ? member->key
-                              : "iridescenceThickness";
-        const int param = find_param(key);
-        bool skip = false;
-        for (int k = 0; outermost && k < 5; k++)
-            skip |= !strcmp(key, skipped[k]);
-        if (skip)
+        const GltfObject content = gltf_unread_member(object, member->key);
+        const int param =
+            find_param(strcmp(member->key, "iridescenceThicknessMaximum") ? member->key
+                                                                          : "iridescenceThickness");
+        if (content == GLTF_NONE || param < 0)
             continue;
-        if (param < 0)
-            diag_add(g->session, member->span, DIAG_gltf_unread, member->key);
-        else if (ends_in_texture(key))
+        if (content != GLTF_leaf)
             put_picture(g, made, member, param);
         else
             put(g, made, param_table[param].name, member->value);
     }
+}
+
+/* Adds the parameters of KHR_materials_pbrSpecularGlossiness, in place of pbrMetallicRoughness. */
+static void put_glossiness(Gltf *g, GltfKeys *made, const Tree *from)
+{
+    const Tree *diffuse = value_of(from, "diffuseTexture"),
+               *glossy = value_of(from, "specularGlossinessTexture");
+    const GltfGlossiness parts = {
+        .from = from,
+        .diffuse = diffuse ? picture(g, diffuse, true, false) : NULL,
+        .glossy = glossy ? picture(g, glossy, true, false) : NULL,
+    };
+    gltf_workflow_glossiness(g->session, made, &parts);
 }
 
 /* Returns the number of the last duplicate of a name. Each number is tried once, so n materials
@@ -314,13 +358,13 @@ static void find_primitives(Gltf *g)
 }
 
 /* Vertex colors multiply the base color and its alpha. */
-static void put_vertex_color(Gltf *g, Keys *made, Span span)
+static void put_vertex_color(Gltf *g, GltfKeys *made, Span span)
 {
     Tree *color = word(g, "= vertexColor", span);
     for (size_t i = 0; i < made->count; i++)
         if (!strcmp(made->members[i].key, "baseColorTexture")) {
             const Tree *picture = made->members[i].value;
-            Keys map = {0}, with = {0}, alpha = {0};
+            GltfKeys map = {0}, with = {0}, alpha = {0};
             for (uint32_t k = 0; k < picture->count; k++)
                 put(g, &alpha, picture->members[k].key, picture->members[k].value);
             put(g, &alpha, "channel", word(g, "a", span));
@@ -335,22 +379,26 @@ static void put_vertex_color(Gltf *g, Keys *made, Span span)
     put(g, made, "baseColorTexture", color);
 }
 
-static Tree *material_of(Gltf *g, const Tree *from, uint32_t number, Span span)
+static Tree *material_of(Gltf *g, const Tree *from, uint32_t index, Span span)
 {
-    Keys made = {0};
-    const Tree *extensions = value_of(from, "extensions");
+    GltfKeys made = {0};
+    const Tree *extensions = value_of(from, "extensions"),
+               *glossiness = value_of(extensions, "KHR_materials_pbrSpecularGlossiness");
     put(g, &made, "material", word(g, "glTF", span));
-    put_members(g, &made, value_of(from, "pbrMetallicRoughness"), false);
-    put_members(g, &made, from, true);
+    if (glossiness && glossiness->kind == TREE_object)
+        put_glossiness(g, &made, glossiness);
+    else
+        put_members(g, &made, value_of(from, "pbrMetallicRoughness"), GLTF_workflow);
+    put_members(g, &made, from, GLTF_material);
     for (uint32_t i = 0; extensions && extensions->kind == TREE_object && i < extensions->count;
          i++)
-        if (extensions->members[i].value->count)
-            put_members(g, &made, extensions->members[i].value, false);
-        else
-            diag_add(g->session, extensions->members[i].span, DIAG_gltf_unread,
-                     extensions->members[i].key);
-    if (g->colored[number])
+        if (extensions->members[i].value != glossiness)
+            put_members(g, &made, extensions->members[i].value,
+                        gltf_unread_extension(GLTF_material, extensions->members[i].key));
+    if (g->colored[index])
         put_vertex_color(g, &made, span);
+    if (value_of(extensions, "KHR_materials_unlit"))
+        made = gltf_workflow_unlit(g->session, &made, span);
     return object(g, &made, span);
 }
 
@@ -358,10 +406,11 @@ Tree *read_gltf(TreeBuilder *b)
 {
     Tree *root = read_json(b);
     Gltf g = {.session = b->session, .root = root};
-    Keys materials = {0}, document = {0};
+    GltfKeys materials = {0}, document = {0};
     if (!root || root->kind != TREE_object)
         return root;
     const Tree *list = value_of(root, "materials");
+    gltf_unread_report(b->session, root);
     find_primitives(&g);
     for (uint32_t i = 0; list && list->kind == TREE_list && i < list->count; i++) {
         const char *name = name_for(&g, value_of(list->items[i], "name"), i);

@@ -74,11 +74,15 @@ static int read_inline(SceneReader *r, Tree *tree)
     return use(r, r->document, (int)r->material_count - 1);
 }
 
-/* Returns the first line of a document's diagnostics, in the arena. */
-static const char *first_fault(SceneReader *r, MatcDocument *document)
+/* Returns the first error of a document, without the lines that show its place, in the arena.
+ * Warnings may precede it. */
+static const char *first_error(SceneReader *r, MatcDocument *document)
 {
-    const char *all = matc_diagnostics(document, MATC_TEXT);
-    return arena_string(r->session->arena, all, strcspn(all, "\n"));
+    const char *all = matc_diagnostics(document, MATC_TEXT), *error = strstr(all, ": error: ");
+    const char *line = error ? error : all;
+    while (line > all && line[-1] != '\n')
+        line--;
+    return arena_string(r->session->arena, line, strcspn(line, "\n"));
 }
 
 /* Reads a document; returns its index in scene->documents, or -1 with a reason in *why. */
@@ -155,7 +159,7 @@ static MatcDocument *sound_document(SceneReader *r, const Tree *path)
     MatcDocument *document = open_document(r, path);
     if (!document || !matc_error_count(document))
         return document;
-    return diag_add(r->session, path->span, DIAG_cannot_read, path->text, first_fault(r, document));
+    return diag_add(r->session, path->span, DIAG_cannot_read, path->text, first_error(r, document));
 }
 
 static int read_file(SceneReader *r, const Tree *tree)

@@ -331,6 +331,8 @@ static int run_input(Run *run, const char *input)
         return EXIT_ERROR;
     run->shown = (Shown){.parts = "rows"};
     fputs(matc_diagnostics(document, MATC_TEXT), stderr);
+    for (int i = 0; scene && i < scene->document_count; i++)
+        fputs(matc_diagnostics(scene->documents[i], MATC_TEXT), stderr);
     const char *fault = scene ? NULL : command_check_material(command);
     int status = matc_error_count(document) ? EXIT_ERROR
                  : scene                    ? draw_scene(run, scene, input)

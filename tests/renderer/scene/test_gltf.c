@@ -79,26 +79,38 @@ static void what_is_not_read_is_reported(void **state)
     (void)state;
     static const struct {
         const char *materials, *reported;
+        size_t lines; /* number of diagnostics, if it is not 0 */
     } cases[] = {
-        {"[{\"extensions\":{\"KHR_materials_unlit\":{}}}]",
-         "2:29: warning: KHR_materials_unlit is ignored"},
+        {"[{\"extensions\":{\"EXT_gloss\":{\"gloss\":1}}}, {\"extensions\":{\"EXT_gloss\":{}}}]",
+         "2:29: warning: EXT_gloss is ignored", 1},
+        {"[{\"emissiveStrength\":1,\"extensions\":{\"KHR_materials_ior\":{\"ior\":1.4,\"sheen\":2}}"
+         "}]",
+         "2:15: warning: emissiveStrength is ignored", 2},
+        {"[{}],\"extensionsRequired\":[\"KHR_materials_unlit\",\"EXT_gloss\"]",
+         "2:62: error: the file requires the extension EXT_gloss, which is not supported", 1},
+        {"[{}],\"animations\":[{}]", "2:18: warning: animations is ignored", 1},
+        {"[{}],\"skins\":[{\"joints\":[0],\"byteOffset\":-4}]",
+         "2:54: error: byteOffset expects a number of bytes, not the number -4", 1},
         {"[{\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":1}}}]",
          "1:861: error: cannot read the image 'case.gltf#/images/1': the format is not PNG, JPEG, "
-         "OpenEXR or BMP"},
+         "OpenEXR or BMP",
+         0},
         {"[{\"normalTexture\":{\"index\":0,\"texCoord\":1}}]",
-         "2:53: warning: a second set of texture coordinates, of normals, is ignored"},
+         "2:53: warning: the direction of a further set of texture coordinates, of normals, is "
+         "ignored",
+         0},
         {"[{\"normalTexture\":{\"index\":2}}]",
-         "2:40: error: the list textures of the glTF file has no item 2"},
+         "2:40: error: the list textures of the glTF file has no item 2", 0},
         {"[{\"normalTexture\":{\"index\":-1}}]",
-         "2:40: error: the list textures of the glTF file has no item -1"},
-        {"[{\"normalTexture\":7}]", "2:31: warning: a texture without an image is ignored"},
-        {"[{\"thicknessTexture\":{\"index\":0}}]", "2:15: warning: thicknessTexture is ignored"},
+         "2:40: error: the list textures of the glTF file has no item -1", 0},
+        {"[{\"normalTexture\":7}]", "2:31: warning: a texture without an image is ignored", 0},
+        {"[{\"thicknessTexture\":{\"index\":0}}]", "2:15: warning: thicknessTexture is ignored", 0},
         {"[{\"alphaMode\":\"GLASS\"}]",
-         "2:27: error: alphaMode expects OPAQUE, MASK or BLEND, not 'GLASS'"},
+         "2:27: error: alphaMode expects OPAQUE, MASK or BLEND, not 'GLASS'", 0},
         {"[{\"occlusionTexture\":{\"index\":0}}]",
-         "2:34: warning: occlusionTexture of a glTF is only approximated"},
-        {"[7, null, \"a\"]", ""},
-        {"7", ""},
+         "2:34: warning: occlusionTexture of a glTF is only approximated", 0},
+        {"[7, null, \"a\"]", "", 0},
+        {"7", "", 0},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         MatcOptions options;
@@ -112,6 +124,11 @@ static void what_is_not_read_is_reported(void **state)
         if (strncmp(behind, cases[i].reported, strlen(cases[i].reported)) != 0 ||
             !*cases[i].reported != !*reported)
             fail_msg("%s: %s", cases[i].materials, reported);
+        size_t lines = 0;
+        for (const char *at = reported; (at = strstr(at, "case.gltf:")); at++)
+            lines++;
+        if (cases[i].lines)
+            assert_int_equal(lines, cases[i].lines);
         matc_document_free(document);
     }
 }
@@ -205,6 +222,75 @@ static void meshes_have_colors(void **state)
     assert_true(plain.component[0] > 0 &&
                 fabs(seen.component[0] - plain.component[0] / 2) < 1e-12 &&
                 fabs(seen.component[1] - plain.component[1]) < 1e-12);
+    matc_document_free(document);
+}
+
+/* Values at u = .1, v = .3 of materials, by hand from the specifications:
+ * - KHR_texture_transform: offset (0, 1), rotation pi / 2 and scale .5 show the lower left quarter
+ *   of the image, turned clockwise by 90 degrees. With v down, (u', v') = (.5 v, 1 - .5 u), so
+ *   that (.1, .7) becomes (.35, .95): u = .35, v = .05 from below.
+ * - KHR_materials_unlit: the base color is emitted; the slot has the factor alpha.
+ * - KHR_materials_pbrSpecularGlossiness: roughness is 1 - glossiness, F0 the specular color. */
+#define SET    "\"index\":0,\"texCoord\":1"
+#define TURNED "\"rotation\":1.5707963267948966,\"offset\":[0,1],\"scale\":[0.5,0.5]"
+#define BASE   "{\"pbrMetallicRoughness\":{\"baseColorTexture\":{"
+#define MOVED  "\"extensions\":{\"KHR_texture_transform\":{"
+static void values_are_those_of_the_specification(void **state)
+{
+    (void)state;
+    static const char text[] =
+        "{\"asset\":{\"version\":\"2.0\"},\"textures\":[{\"source\":0}],\"images\":[{\"uri\":"
+        "\"tiles%20a."
+        "png\"}],\"materials\":[" BASE "\"index\":0}}}," BASE "\"index\":0," MOVED TURNED
+        "}}}}}," BASE SET "," MOVED "\"texCoord\":0," TURNED "}}}}}," BASE SET "," MOVED
+        "\"texCoord\":3}}}}},"
+        "{\"pbrMetallicRoughness\":{\"baseColorFactor\":[0.5,0.25,0.125,0.75]},\"alphaMode\":"
+        "\"BLEND\",\"emissiveFactor\":[1,1,1],\"extensions\":{\"KHR_materials_unlit\":{}}},"
+        "{\"extensions\":{\"KHR_materials_pbrSpecularGlossiness\":{\"diffuseFactor\":[0.8,0.4,0.2,"
+        "1],"
+        "\"specularFactor\":[0.9,0.45,0.45],\"glossinessFactor\":0.75}}},"
+        "{\"emissiveFactor\":[0.5,0.25,0.125],\"extensions\":{\"KHR_materials_emissive_strength\":{"
+        "\"emissiveStrength\":8}}}]}";
+    static const struct {
+        int material;
+        const char *point;
+        int same; /* material whose value at `same_point` is the same; -1: `wanted` */
+        const char *same_point;
+        const char *slot;
+        double wanted[3];
+    } rows[] = {
+        {1, "u=.1 v=.3", 0, "u=.35 v=.05", "diffuse", {0}},
+        {2, "u=.1 v=.3 @uv1.x=.9", 0, "u=.35 v=.05", "diffuse", {0}},
+        {3, "u=.9 v=.9 @uv3.x=.1 @uv3.y=.3", 0, "u=.1 v=.3", "diffuse", {0}},
+        {4, "u=.1 v=.3", -1, NULL, "emissive", {.375, .1875, .09375}},
+        {4, "u=.1 v=.3", -1, NULL, "diffuse", {0, 0, 0}},
+        {4, "u=.1 v=.3", -1, NULL, "reflectance", {0}},
+        {4, "u=.1 v=.3", -1, NULL, "alpha", {.75}},
+        {5, "u=.1 v=.3", -1, NULL, "diffuse", {.8, .4, .2}},
+        {5, "u=.1 v=.3", -1, NULL, "roughness", {.25}},
+        {5, "u=.1 v=.3", -1, NULL, "reflectance", {.9}},
+        {5, "u=.1 v=.3", -1, NULL, "specular", {1, .5, .5}},
+        {6, "u=.1 v=.3", -1, NULL, "emissive", {4, 2, 1}},
+    };
+    char path[128];
+    MatcOptions options;
+    matc_options_init(&options);
+    options.pixels = true;
+    MatcDocument *document =
+        matc_read(path_of("values.gltf", path), text, sizeof text - 1, &options);
+    assert_int_equal(matc_error_count(document), 0);
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        options.slot = rows[i].slot;
+        const MatcNumbers value =
+            matc_eval_slot(document, rows[i].material, rows[i].point, &options);
+        const MatcNumbers other =
+            matc_eval_slot(document, rows[i].same < 0 ? 0 : rows[i].same,
+                           rows[i].same < 0 ? "" : rows[i].same_point, &options);
+        const double *wanted = rows[i].same < 0 ? rows[i].wanted : other.component;
+        for (int k = 0; k < value.components && k < 3; k++)
+            if (value.fault || !(fabs(value.component[k] - wanted[k]) < 1e-9))
+                fail_msg("row %zu: %g, not %g", i, value.component[k], wanted[k]);
+    }
     matc_document_free(document);
 }
 
@@ -327,6 +413,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(materials_are_a_document),
                                        cmocka_unit_test(what_is_not_read_is_reported),
+                                       cmocka_unit_test(values_are_those_of_the_specification),
                                        cmocka_unit_test(meshes_are_in_parts),
                                        cmocka_unit_test(meshes_have_colors),
                                        cmocka_unit_test(a_mesh_has_the_files_materials),
