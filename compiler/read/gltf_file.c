@@ -265,3 +265,12 @@ bool gltf_file_view(const GltfPlace *place, const Tree *index, GltfBytes *bytes,
 {
     return read_view(place, file_of(place->session, place->files, place->path), index, bytes, why);
 }
+
+bool gltf_file_buffer(const GltfPlace *place, size_t number, GltfBytes *bytes, const char **why)
+{
+    GltfFile *file = file_of(place->session, place->files, place->path);
+    const Buffer *buffer = buffer_of(place, file, number, why);
+    if (buffer)
+        *bytes = buffer->bytes;
+    return buffer != NULL;
+}

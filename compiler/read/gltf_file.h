@@ -43,6 +43,8 @@ const Tree *gltf_file_root(const GltfPlace *place, const char **why);
 /* Returns the bytes of the buffer view with the number `index`. Returns false and *why on
  * failure. The file must have a root. */
 bool gltf_file_view(const GltfPlace *place, const Tree *index, GltfBytes *bytes, const char **why);
+/* Returns the content of the buffer with this number. Returns false and *why on failure. */
+bool gltf_file_buffer(const GltfPlace *place, size_t number, GltfBytes *bytes, const char **why);
 
 /* Returns a member of an object, or an item of a top-level list; NULL if it is missing. */
 const Tree *gltf_file_value(const Tree *tree, const char *key);

@@ -6,6 +6,7 @@
 #include "compiler/base/root.h"
 #include "compiler/base/text.h"
 #include "runtime/gl/message.h"
+#include "runtime/mesh_import/gltf_mesh.h"
 #include "runtime/mesh_import/model_divide.h"
 #include "runtime/mesh_import/model_reader.h"
 #include <errno.h>
@@ -39,8 +40,10 @@ static const struct {
     const char *ending;
     ModelReader *read; /* NULL: assimp, in a process of its own */
     bool y_up;
-} endings[] = {
-    {".obj", NULL, true}, {".gltf", NULL, true}, {".glb", NULL, true}, {".ply", NULL, false}};
+} endings[] = {{".obj", NULL, true},
+               {".gltf", gltf_mesh_read, true},
+               {".glb", gltf_mesh_read, true},
+               {".ply", NULL, false}};
 
 static int find_ending(const char *path)
 {

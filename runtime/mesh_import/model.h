@@ -10,6 +10,9 @@ enum {
     MODEL_VERTICES = 1 << 22,
     MODEL_INDICES = 1 << 24,
     MODEL_RUNS = 1 << 20,
+    MODEL_NODES = 1 << 18,     /* nodes of a glTF file */
+    MODEL_INSTANCES = 1 << 18, /* nodes with meshes, and their EXT_mesh_gpu_instancing instances */
+    MODEL_VALUES = 1 << 28,    /* numbers that are read from a glTF file's accessors */
     MODEL_NO_MATERIAL = INT32_MAX,
     MODEL_SECONDS = 30,     /* CPU time limit of reading */
     MODEL_MEMORY_MIB = 4096 /* max memory for reading a file, in MiB */
