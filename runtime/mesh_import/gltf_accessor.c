@@ -1,4 +1,5 @@
 #include "runtime/mesh_import/gltf_accessor.h"
+#include "runtime/gl/message.h"
 #include "runtime/mesh_import/gltf_meshopt.h"
 #include <math.h>
 #include <string.h>
@@ -6,6 +7,11 @@
 enum { MAX_STRIDE = 252 };
 
 static const char too_many[] = "its accessors have more numbers than are read";
+
+bool gltf_fail(const GltfMesh *mesh, const char *part, const char *why)
+{
+    return message_fail(mesh->error, mesh->capacity, "%s%s: %s", mesh->where, part, why);
+}
 
 static bool is_text(const Tree *tree, const char *text)
 {

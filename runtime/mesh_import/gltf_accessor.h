@@ -14,6 +14,9 @@ typedef enum {
 } GltfComponent;
 enum { GLTF_MATRIX = 16 }; /* components of a MAT4, the only matrix that is read */
 
+/* Writes the message "meshes/0/primitives/1<part>: <why>". Returns false. */
+bool gltf_fail(const GltfMesh *mesh, const char *part, const char *why);
+
 /* A validated accessor. */
 typedef struct {
     const unsigned char *at; /* NULL: all values are 0 */

@@ -7,11 +7,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-bool gltf_mesh_fail(const GltfMesh *mesh, const char *part, const char *why)
-{
-    return message_fail(mesh->error, mesh->capacity, "%s%s: %s", mesh->where, part, why);
-}
-
 /* A node of the scene, its mesh, and where the mesh is drawn. */
 typedef struct {
     const Tree *node, *mesh;
@@ -47,7 +42,7 @@ static bool read_node(GltfMesh *mesh, const GltfNodes *nodes, size_t number, siz
     if (!shown.instances)
         return false;
     if (!shown.mesh)
-        return gltf_mesh_fail(mesh, "/mesh", "the mesh is not there");
+        return gltf_fail(mesh, "/mesh", "the mesh is not there");
     if ((*instances += shown.instance_count) > MODEL_INSTANCES)
         return message_fail(mesh->error, mesh->capacity, "it has more than %d instances of meshes",
                             MODEL_INSTANCES);

@@ -36,7 +36,4 @@ typedef struct {
 
 /* Reads the triangles of a .gltf or .glb file's scene. */
 bool gltf_mesh_read(const ModelSource *source, ModelParts *parts, char *error, size_t capacity);
-
-/* Writes the message "meshes/0/primitives/1<part>: <why>". Returns false. */
-bool gltf_mesh_fail(const GltfMesh *mesh, const char *part, const char *why);
 #endif

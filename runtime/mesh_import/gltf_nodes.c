@@ -36,7 +36,7 @@ static GltfTransform compose(const double t[3], const double q[4], const double 
 static bool fail_node(GltfMesh *mesh, size_t node, const char *part, const char *why)
 {
     snprintf(mesh->where, sizeof mesh->where, "nodes/%zu", node);
-    return gltf_mesh_fail(mesh, part, why);
+    return gltf_fail(mesh, part, why);
 }
 
 /* Reads a list of exactly `count` numbers, which is left alone if it is missing. */
@@ -149,14 +149,14 @@ static bool push_roots(GltfMesh *mesh, const GltfNodes *nodes, size_t *stack, si
     const Tree *scene = gltf_file_item(mesh->root, "scenes", gltf_file_whole(index, 0));
     const Tree *roots = gltf_file_value(scene, "nodes");
     if (index && !scene)
-        return gltf_mesh_fail(mesh, "scene", "the scene is not there");
+        return gltf_fail(mesh, "scene", "the scene is not there");
     for (size_t i = nodes->count; !scene && i--;)
         if (nodes->parents[i] == SIZE_MAX)
             stack[(*count)++] = i;
     for (uint32_t i = roots && roots->kind == TREE_list ? roots->count : 0; i--;) {
         const size_t node = gltf_file_whole(roots->items[i], SIZE_MAX);
         if (node >= nodes->count || *count == nodes->count)
-            return gltf_mesh_fail(mesh, "scene", "a node is not there, or there twice");
+            return gltf_fail(mesh, "scene", "a node is not there, or there twice");
         if (!nodes->reached[node])
             return fail_node(mesh, node, "", "it is its own ancestor");
         stack[(*count)++] = node;
@@ -223,7 +223,7 @@ static float *read_instances(GltfMesh *mesh, const Tree *attributes, const char 
     if (!why)
         return *count = a.count, made;
     snprintf(part, sizeof part, "/extensions/EXT_mesh_gpu_instancing/attributes/%s", name);
-    gltf_mesh_fail(mesh, part, why);
+    gltf_fail(mesh, part, why);
     return NULL;
 }
 

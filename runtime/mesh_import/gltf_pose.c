@@ -52,7 +52,7 @@ bool gltf_pose_morph(GltfMesh *mesh, const Tree *weights, GltfPrimitive *p)
             break;
         const Tree *number = weights->items[i];
         if (number->kind != TREE_scalar || !tree_number(number, &weight))
-            return gltf_mesh_fail(mesh, "/targets", "a weight is not a number");
+            return gltf_fail(mesh, "/targets", "a weight is not a number");
         if (weight != 0 && !add_target(mesh, p, target, (float)weight))
             return false;
     }
@@ -70,7 +70,7 @@ typedef struct {
 static bool fail_skin(GltfMesh *mesh, const Tree *skin, const char *part, const char *why)
 {
     snprintf(mesh->where, sizeof mesh->where, "skins/%zu", gltf_file_whole(skin, 0));
-    return gltf_mesh_fail(mesh, part, why);
+    return gltf_fail(mesh, part, why);
 }
 
 /* Reads the inverse bind matrices, stored by columns; they are optional. */
@@ -131,7 +131,7 @@ static bool add_set(GltfMesh *mesh, GltfPrimitive *p, int set, const Joints *joi
         if (!(weights[i] > 0))
             continue;
         if (!(numbers[i] >= 0 && numbers[i] < (float)joints->count))
-            return gltf_mesh_fail(mesh, "/attributes/JOINTS", "a joint is not in the skin");
+            return gltf_fail(mesh, "/attributes/JOINTS", "a joint is not in the skin");
         const GltfTransform *joint = &joints->at[(size_t)numbers[i]];
         for (int k = 0; k < 12; k++)
             p->skin[i / 4].m[k / 4][k % 4] += (double)weights[i] * joint->m[k / 4][k % 4];

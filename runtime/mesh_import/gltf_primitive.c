@@ -121,7 +121,7 @@ static bool fail_attribute(const GltfMesh *mesh, const char *name, const char *w
 {
     char part[GLTF_MESH_PLACE];
     snprintf(part, sizeof part, "/attributes/%.*s", SHAPE_NAME, name);
-    return gltf_mesh_fail(mesh, part, why);
+    return gltf_fail(mesh, part, why);
 }
 
 float *gltf_primitive_attribute(GltfMesh *mesh, const GltfPrimitive *primitive,
@@ -220,7 +220,7 @@ static bool open_compressed(GltfMesh *mesh, GltfPrimitive *p)
         return true;
     if (gltf_file_view(&mesh->place, gltf_file_value(extension, "bufferView"), &bytes, &why))
         p->draco = gltf_draco_open(bytes.at, bytes.size, &why);
-    return p->draco || gltf_file_value(position, "bufferView") || gltf_mesh_fail(mesh, "", why);
+    return p->draco || gltf_file_value(position, "bufferView") || gltf_fail(mesh, "", why);
 }
 
 /* Returns the primitive's indices of rows, or all rows in order. */
@@ -231,12 +231,12 @@ static uint32_t *read_rows(GltfMesh *mesh, const GltfPrimitive *p, size_t *count
     if (index && !p->draco) {
         uint32_t *made = gltf_accessor_indices(mesh, index, count, &why);
         if (!made)
-            gltf_mesh_fail(mesh, "/indices", why);
+            gltf_fail(mesh, "/indices", why);
         return made;
     }
     *count = p->draco ? gltf_draco_indices(p->draco, NULL) : p->row_count;
     if (*count > MODEL_INDICES)
-        return gltf_mesh_fail(mesh, "", why), NULL;
+        return gltf_fail(mesh, "", why), NULL;
     uint32_t *made = arena_alloc(mesh->scratch, *count * sizeof *made + 1);
     if (p->draco)
         gltf_draco_indices(p->draco, made);
@@ -298,7 +298,7 @@ static bool number_vertices(GltfMesh *mesh, GltfPrimitive *p)
         p->indices[i] = mesh->slots[row] - 1;
     }
     p->rows = (GltfRows){rows, mesh->slots, count};
-    return fits || gltf_mesh_fail(mesh, "/indices", "a vertex is not there");
+    return fits || gltf_fail(mesh, "/indices", "a vertex is not there");
 }
 
 static bool read_triangles(GltfMesh *mesh, GltfPrimitive *p)
@@ -306,7 +306,7 @@ static bool read_triangles(GltfMesh *mesh, GltfPrimitive *p)
     const size_t mode = gltf_file_whole(gltf_file_value(p->tree, "mode"), TRIANGLES);
     size_t count = 0;
     if (mode >= MODES)
-        return gltf_mesh_fail(mesh, "/mode", "it is not a number from 0 to 6");
+        return gltf_fail(mesh, "/mode", "it is not a number from 0 to 6");
     if (mode < TRIANGLES)
         return true;
     uint32_t *rows = read_rows(mesh, p, &count);
@@ -348,7 +348,7 @@ bool gltf_primitive_read(GltfMesh *mesh, const Tree *tree, GltfPrimitive *made)
     const size_t material = gltf_file_whole(gltf_file_value(tree, "material"), MODEL_NO_MATERIAL);
     *made = (GltfPrimitive){.tree = tree, .attributes = gltf_file_value(tree, "attributes")};
     if (!gltf_file_item(mesh->root, "materials", material) && material != MODEL_NO_MATERIAL)
-        return gltf_mesh_fail(mesh, "/material", "the material is not there");
+        return gltf_fail(mesh, "/material", "the material is not there");
     made->material = (int)material;
     return find_rows(mesh, made) && open_compressed(mesh, made) && read_triangles(mesh, made) &&
            (!made->index_count || (number_vertices(mesh, made) && read_attributes(mesh, made)));
