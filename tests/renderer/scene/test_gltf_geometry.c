@@ -303,6 +303,48 @@ static void skins_have_their_pose(void **state)
                  (const float[][3]){{-1, 0, 5}, {1, 0, 0}, {-.5f, 1, 2.5f}}, 3);
 }
 
+/* The triangle (0, 0, 0), (1, 0, 0), (0, 1, 0), compressed by the libraries' own encoders. Without
+ * a library the error names the extension. */
+static void compressed_data_are_read(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *text, *extension;
+    } files[] = {
+        {"{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"mesh\":0}],\"meshes\":[{\"primitives\":[{"
+         "\"attributes\":{\"POSITION\":0},\"indices\":1}]}],\"accessors\":[{\"bufferView\":0,"
+         "\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"},{\"bufferView\":1,"
+         "\"componentType\":5123,\"count\":3,\"type\":\"SCALAR\"}],\"bufferViews\":[{\"buffer\":1,"
+         "\"byteLength\":48,\"byteStride\":16,\"extensions\":{\"EXT_meshopt_compression\":{"
+         "\"buffer\":0,\"byteOffset\":0,\"byteLength\":71,\"byteStride\":16,\"count\":3,\"mode\":"
+         "\"ATTRIBUTES\"}}},{\"buffer\":1,\"byteOffset\":48,\"byteLength\":6,\"extensions\":{\"EXT_"
+         "meshopt_compression\":{\"buffer\":0,\"byteOffset\":71,\"byteLength\":18,\"byteStride\":2,"
+         "\"count\":3,\"mode\":\"TRIANGLES\"}}}],\"buffers\":[{\"byteLength\":89,\"uri\":\"data:"
+         "application/octet-stream;base64,oAAAATwAAAD//wE8AAAAfn0AAAEMAAAA/"
+         "wEMAAAAfgAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAADg8AB2h1ZneKmGZYlomAFpAAA="
+         "\"},{\"byteLength\":54}]}",
+         "EXT_meshopt_compression"},
+        {"{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"mesh\":0}],\"meshes\":[{\"primitives\":[{"
+         "\"attributes\":{\"POSITION\":0},\"indices\":1,\"extensions\":{\"KHR_draco_mesh_"
+         "compression\":{\"bufferView\":0,\"attributes\":{\"POSITION\":0}}}}]}],\"accessors\":[{"
+         "\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"},{\"componentType\":5123,\"count\":"
+         "3,\"type\":\"SCALAR\"}],\"bufferViews\":[{\"buffer\":0,\"byteLength\":70}],\"buffers\":[{"
+         "\"byteLength\":70,\"uri\":\"data:application/"
+         "octet-stream;base64,RFJBQ08CAgEBAAAAAwEAAQAAAQf/AREB/"
+         "wAAAQAJAwAAAAAAgD8AAAAAAAAAAAAAAAAAAIA/AAAAAAAAAAAAAAAAAAAAAA==\"}]}",
+         "KHR_draco_mesh_compression"}};
+    for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
+        char path[128], error[1024] = "";
+        Shape shape;
+        write_file("a.gltf", files[i].text, strlen(files[i].text));
+        if (model_read_in_place(path_of("a.gltf", path), &shape, error, sizeof error)) {
+            assert_corners(&shape, (const float[][3]){{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, 3);
+            shape_free(&shape);
+        } else if (!strstr(error, files[i].extension) || !strstr(error, "was built without"))
+            fail_msg("%s: %s", files[i].extension, error);
+    }
+}
+
 /* Faults name their place. None of them crashes, or takes long. */
 static void faults_are_named(void **state)
 {
@@ -376,6 +418,7 @@ int main(void)
         cmocka_unit_test(instances_are_drawn),
         cmocka_unit_test(targets_move_vertices),
         cmocka_unit_test(skins_have_their_pose),
+        cmocka_unit_test(compressed_data_are_read),
         cmocka_unit_test(faults_are_named),
     };
     return cmocka_run_group_tests(tests, make_folder, remove_folder);
