@@ -9,6 +9,8 @@
 #include "runtime/mesh_import/gltf_mesh.h"
 #include "runtime/mesh_import/model_divide.h"
 #include "runtime/mesh_import/model_reader.h"
+#include "runtime/mesh_import/obj_read.h"
+#include "runtime/mesh_import/ply_read.h"
 #include <errno.h>
 #include <math.h>
 #include <signal.h>
@@ -40,10 +42,10 @@ static const struct {
     const char *ending;
     ModelReader *read; /* NULL: assimp, in a process of its own */
     bool y_up;
-} endings[] = {{".obj", NULL, true},
+} endings[] = {{".obj", obj_read, true},
                {".gltf", gltf_mesh_read, true},
                {".glb", gltf_mesh_read, true},
-               {".ply", NULL, false}};
+               {".ply", ply_read, false}};
 
 static int find_ending(const char *path)
 {
