@@ -261,11 +261,16 @@ void command_set_scene(const Command *command, Scene *scene)
     scene->tools.lights = tools->lights;
 }
 
+bool command_asks_material(const Command *command)
+{
+    return command->contact || command->mesh || command->material || command->viewpoint ||
+           command->shape || command->slot || command->preview.sky || command->param_count;
+}
+
 /* Returns NULL, or a message if an option does not apply to scenes. */
 const char *command_check_scene(const Command *command, const Scene *scene)
 {
-    if (command->contact || command->mesh || command->material || command->viewpoint ||
-        command->shape || command->slot || command->preview.sky || command->param_count)
+    if (command_asks_material(command))
         return "a scene has its own objects, materials and camera; it does not accept --shape, "
                "--mesh, --material, "
                "--param, --camera, --slot, --pass or --contact";

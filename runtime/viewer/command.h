@@ -53,6 +53,8 @@ const char *command_help(Command *command);
 /* Checks the options for conflicts and derives the dependent fields. Returns NULL, or an error
  * message. */
 const char *command_check(Command *command);
+/* Returns true if an option that applies to materials only is given. */
+bool command_asks_material(const Command *command);
 /* Check the options against a scene, and against a document of materials only. Return NULL, or
  * an error message. */
 const char *command_check_scene(const Command *command, const Scene *scene);

@@ -9,6 +9,7 @@
 #include "runtime/tessellate/scene_displace.h"
 #include "runtime/scene_reader/scene_read.h"
 #include "runtime/viewer/compare.h"
+#include "runtime/viewer/model_scene.h"
 #include "runtime/viewer/picture_name.h"
 #include "runtime/mesh_import/model.h"
 #include <errno.h>
@@ -42,8 +43,33 @@ static int height_for(const Scene *scene, int width)
     return height > 0 ? (int)height : 1;
 }
 
-/* Reads a document. *scene stays NULL for a document of materials only. */
-static MatcDocument *read_document(const Command *command, const char *path, Scene **scene)
+/* Reads a mesh file as the document that draws it. A glTF file is one of materials if an option of
+ * materials is given. */
+static bool is_model(const Command *command, const char *path)
+{
+    const char *dot = strrchr(path, '.');
+    const bool has_materials = dot && !text_same(dot, ".obj") && !text_same(dot, ".ply");
+    return model_scene_is(path) && !(has_materials && command_asks_material(command));
+}
+
+static MatcDocument *read_model(const Command *command, const char *path, Scene **scene)
+{
+    Arena arena = {0};
+    Text text = text_new(&arena), name = text_new(&arena);
+    char error[LONGEST_MESSAGE];
+    MatcDocument *document = NULL;
+    if (command->watched)
+        model_files(path, command->watched);
+    text_format(&name, "%s.yaml", path);
+    if (model_scene_write(path, &text, error, sizeof error))
+        document = scene_read(name.at, text.at, text.size, &command->compile, scene);
+    else
+        complain(path, error);
+    arena_free(&arena);
+    return document;
+}
+
+static MatcDocument *read_file(const Command *command, const char *path, Scene **scene)
 {
     size_t size;
     const char *why;
@@ -54,11 +80,19 @@ static MatcDocument *read_document(const Command *command, const char *path, Sce
     }
     MatcDocument *document =
         scene_read(file_document_name(path), text, size, &command->compile, scene);
+    free(text);
+    return document;
+}
+
+/* Reads a document. *scene stays NULL for a document of materials only. */
+static MatcDocument *read_document(const Command *command, const char *path, Scene **scene)
+{
+    MatcDocument *document =
+        (is_model(command, path) ? read_model : read_file)(command, path, scene);
     if (*scene && command->shadows != WORD_COUNT)
         scene_lights_shadow(*scene, command->shadows);
     if (*scene && command->size)
         scene_displace_resized(*scene, command->size, height_for(*scene, command->size));
-    free(text);
     return document;
 }
 
