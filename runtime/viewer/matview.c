@@ -60,7 +60,7 @@ static MatcDocument *read_model(const Command *command, const char *path, Scene 
     MatcDocument *document = NULL;
     if (command->watched)
         model_files(path, command->watched);
-    text_format(&name, "%s.yaml", path);
+    text_format(&name, "%s.yaml", path); /* beside the mesh; YAML */
     if (model_scene_write(path, &text, error, sizeof error))
         document = scene_read(name.at, text.at, text.size, &command->compile, scene);
     else
