@@ -102,9 +102,8 @@ bool model_scene_write(const char *path, Text *document, char *error, size_t cap
     text_format(document, "colors: srgb\n");
     put_camera(document, &sphere);
     put_lights(document);
-    if (!is_gltf(path))
-        text_format(document, "materials: { gray: { material: Principled, baseColor: \"#b8b8b8\", "
-                              "roughness: 0.5 } }\n");
+    text_format(document, "materials: { gray: { material: Principled, baseColor: \"#b8b8b8\", "
+                          "roughness: 0.5 } }\n");
     text_format(document, "objects:\n  - { object: Mesh, file: ");
     json_string(document, slash ? slash + 1 : path);
     text_format(document, is_gltf(path) ? " }\n" : ", material: gray }\n");
