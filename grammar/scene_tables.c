@@ -56,7 +56,7 @@ enum {
 #include "scene.def"
 };
 enum {
-    KINDS_BEGIN = -1 /* a kind's count sums over the rows after its comma */
+    KINDS_BEGIN = -1 /* expands to `, COUNT_kind = 0 +1 +1 ...`, +1 per row */
 #define SCENE_KIND(sort, name, doc)                         , COUNT_##name = 0
 #define SCENE_PARAM(kind, name, type, init, range, in, doc) +1
 #define SCENE_PART(kind, name, sort, number, doc)           +1

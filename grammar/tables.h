@@ -203,7 +203,7 @@ typedef enum {
 #define WAVE(name, reference, build, doc) WAVE_##name,
 #include "waves.def"
     WAVE_COUNT,
-    WAVE_Chain = WAVE_COUNT /* a Chain has fields, and therefore no row */
+    WAVE_Chain = WAVE_COUNT /* a Chain has parameters, so waves.def has no row for it */
 } WaveKind;
 typedef struct {
     const char *name;

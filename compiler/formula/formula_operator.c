@@ -115,7 +115,7 @@ static void close_open(FormulaReader *r, bool bracket)
     formula_apply(r, step, r->operand_count - wait.base);
 }
 
-/* Handles ",". Returns false if no open construct has parts. */
+/* Handles ",". Reports it and returns false unless the innermost open bracket is a list or call. */
 static bool read_comma(FormulaReader *r)
 {
     formula_reduce_to(r, level_none, true);

@@ -192,8 +192,8 @@ bool graph_displaces(const Node *material);
 bool graph_displaces_volume(const Node *material);
 /* Returns true if the value is 0 everywhere. */
 bool value_is_zero(const Value *value);
-/* Fills graph->models (allocated by the caller) for nodes given inputs first. A missing material
- * is a gray Phong. */
+/* Fills graph->models (allocated by the caller). `nodes` are in topological order: a node's inputs
+ * precede it. A missing material is a gray Phong. */
 void graph_find_models(Graph *graph, const Node *const *nodes, size_t count);
 /* Returns true if the coat of a Principled or a Layer has the normal of its base: both use the
  * surface's normal, or the same map. */

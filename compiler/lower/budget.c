@@ -35,7 +35,7 @@ enum {
     /* operations that are hidden behind a pixel's other work: 234 took no measurable time */
     FREE_COST = 200,
     MEAN_COST = 30,         /* estimated operations that a mean adds; a Checker's mean adds 32 */
-    LARGEST_GUESSED = 1000, /* max estimated cost of a program for which a guess is made */
+    LARGEST_GUESSED = 1000, /* only cheaper programs, by estimate, are tried with all means first */
     MAX_SLOW = 2            /* max consecutive guesses that leave more than half of the range */
 };
 /* A mean whose price exceeds the remaining budget by this factor does not fit. */

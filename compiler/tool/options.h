@@ -39,7 +39,7 @@ extern const EmitRow emit_table[EMIT_COUNT];
 typedef struct {
     MatcOptions compile;
     Arena words;         /* arena of strings derived from arguments, and of messages about them */
-    const char **inputs; /* documents from the arguments and their lists */
+    const char **inputs; /* paths of documents: arguments, and lines of list files */
     int input_count;
     const char **lists; /* files with lists of inputs, "@list.txt" */
     char **list_texts;  /* buffers of the inputs from lists */

@@ -44,8 +44,8 @@ typedef struct Unit {
 
 /* Returns the number of the pass whose program it is. */
 int unit_pass(const MatcProgram *program);
-/* Copies from a program what outlives it. Buffered: the numbers are the members of its uniform
- * block; otherwise its places. */
+/* Copies the data that the unit needs after the program is freed. The unit's numbers are those in
+ * the program's uniform block if `buffered`, else all that could be there (matc_place()). */
 void unit_fill(Unit *unit, MatcProgram *program, bool buffered, const char *textures);
 /* Returns data about the written program. `buffered` as in unit_fill(). */
 Written *unit_written(MatcProgram *program, bool buffered);

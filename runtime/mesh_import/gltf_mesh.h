@@ -25,8 +25,8 @@ typedef struct {
     int vertex_capacity, index_capacity, run_capacity;
     size_t values;       /* numbers read from accessors: at most MODEL_VALUES */
     GltfMeshView *views; /* indexed by buffer view; NULL: none is compressed */
-    /* Indexed by row of the primitive's accessors: 1 + its vertex; 0: unused. All are 0 between
-     * primitives. */
+    /* Per row of the primitive's accessors: 1 + index of the vertex made from it, or 0 if none is.
+     * Reset to 0 after each primitive. */
     uint32_t *slots;
     size_t slot_count;
     char where[GLTF_MESH_PLACE]; /* for messages, such as "meshes/0/primitives/1" */

@@ -1,8 +1,9 @@
-/* Pixels of a unit of length at a distance: half the picture's shorter side covers `half` times
- * the distance, or, orthographic, `half` itself.
+/* Finds how many pixels a unit of length covers in the picture, at a given distance. Half of the
+ * picture's shorter side shows the length `half` times the distance, or with an orthographic
+ * camera the length `half`; `half` is a member of SceneCamera.
  *
- *     600 pixels, 90 degrees, 10 away: 300 pixels cover tan 45 degrees times 10, so that a unit
- *         has 30 */
+ *     600 pixels, a view of 90 degrees, distance 10: 300 pixels show the length tan(45 degrees)
+ *         times 10 = 10, so a unit covers 30 pixels */
 #include "runtime/scene/scene_seen.h"
 #include "runtime/scene/scene_matrix.h"
 #include <math.h>

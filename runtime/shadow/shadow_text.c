@@ -60,8 +60,9 @@ static bool define(const Renderer *renderer, bool nearest, char defined[SHADOW_T
 
 /* -- calls of the techniques' functions */
 
-/* `otherwise`: the value for lights and views of a technique without the function; NULL: every
- * technique's function is called, whatever the light. */
+/* GLSL functions that call the function of a light's shadow technique. `otherwise`: the value
+ * returned if the technique has no such function. NULL: the functions of all techniques are called
+ * in turn, whatever the light. */
 static const struct {
     const char *name, *head, *arguments, *otherwise;
 } calls[SHADOW_CALLS] = {

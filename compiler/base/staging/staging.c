@@ -255,7 +255,7 @@ const char *staging_remove(Staging *s, const char *name, Key hash, bool *stays)
     int number = string_set_find(&s->names, name);
     *stays = false;
     if ((number >= 0 && !s->files[number].dropped) || strchr(name, '/'))
-        return NULL; /* this run writes the file, so it stays */
+        return NULL; /* written by this run, or not directly in the folder */
     int error = stage_hash(s->folder, name, &now);
     *stays = error == EINVAL || (!error && !key_equal(now, hash));
     if (!error && !*stays)

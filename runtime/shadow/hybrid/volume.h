@@ -9,7 +9,7 @@ enum {
     VOLUME_AUTO_MIB = 256 /* memory limit of buffers for the path auto */
 };
 
-/* State for a scene: of pass_volume.c, volume_data.c and volume_blur.c. */
+/* State of a scene's shadow volumes, for pass_volume.c, volume_data.c and volume_blur.c. */
 typedef struct {
     /* Programs by view, for hybrid views; caps for perspective ones. */
     Material *sheets, *caps;
